@@ -11,7 +11,7 @@
 
 /* Of unit vectors, and of points in the rounding of coordinates. */
 static const double UNIT = 64 * DBL_EPSILON;
-enum { ROUND = 16 };
+enum { ROUND = 16, ROUND_ARC = 4 };
 
 /* What a certificate allows: of frames, of the development and of lengths. */
 static const double FRAME = 1e-10, FLAT = 1e-11, LENGTH = 1e-11;
@@ -165,16 +165,34 @@ static void check_joint(struct ph_check_cone *cone, size_t i, size_t next,
 
 /* ---- the development ----------------------------------------------------- */
 
-/* An arc from its control points: length, and the angle by which it turns. */
+/* An arc from its control points: length, and the angle by which it turns; and
+ * by how much these change where points move by 1. */
 struct arc {
   double chord, length, turn;
+  double longer, turned;
 };
 
-static struct arc arc_of(double along, double across, double chord) {
-  const double angle = atan2(across, along);
-  struct arc arc = {chord,
-                    fabs(across) > 0 ? chord * chord / across * angle : chord,
-                    2 * angle};
+/*
+ * With a half the turn and c the chord the length is c a / sin a.  A point that
+ * moves by 1 changes c by that, and a, between the leg and the chord, by the
+ * inverses of both:
+ *
+ *   longer = a / sin a + (sin a - a cos a) / sin^2 a (1 + c / leg)
+ *
+ * which is 1 + a for a small angle, and without bound for arcs that go nearly
+ * all around.
+ */
+static struct arc arc_of(double along, double across, double chord,
+                         double leg) {
+  const double angle = atan2(across, along), a = fabs(angle);
+  const double sine = fabs(across) / chord;
+  const double by_angle =
+      sine > a / 2 && a < 0.01 ? a / 3 : (sine - a * cos(a)) / (sine * sine);
+  struct arc arc = {chord, chord, 2 * angle, 1, 2 / leg + 2 / chord};
+  if (fabs(across) > 0) {
+    arc.length = chord * chord / across * angle;
+    arc.longer = a / sine + by_angle * (1 + chord / leg);
+  }
   return arc;
 }
 
@@ -185,10 +203,10 @@ static struct arc space_arc(const struct ph_check_cone *cone, size_t i) {
   const ph_vec3 b = ph_check_vector(cone->v, arc->control_points[1], 3);
   const ph_vec3 c = ph_check_vector(cone->v, arc->control_points[2], 3);
   const double sign = arc->weights[1] < 0 ? -1 : 1;
-  const ph_vec3 t = ph_vec3_scale(sign, ph_vec3_unit(ph_vec3_sub(b, a)));
-  const ph_vec3 v = ph_vec3_sub(c, a);
+  const ph_vec3 leg = ph_vec3_sub(b, a), v = ph_vec3_sub(c, a);
+  const ph_vec3 t = ph_vec3_scale(sign, ph_vec3_unit(leg));
   return arc_of(ph_vec3_dot(t, v), ph_vec3_abs(ph_vec3_cross(t, v)),
-                ph_vec3_abs(v));
+                ph_vec3_abs(v), ph_vec3_abs(leg));
 }
 
 /* The development, positive to the left. */
@@ -203,7 +221,7 @@ static struct arc flat_arc(const struct ph_check_cone *cone, size_t i) {
   }
   size = hypot(t[0], t[1]);
   return arc_of((t[0] * v[0] + t[1] * v[1]) / size,
-                (t[0] * v[1] - t[1] * v[0]) / size, hypot(v[0], v[1]));
+                (t[0] * v[1] - t[1] * v[0]) / size, hypot(v[0], v[1]), size);
 }
 
 static void miss_flat(struct ph_check_cone *cone, size_t i, double by,
@@ -239,15 +257,18 @@ static void check_flat(struct ph_check_cone *cone, size_t i) {
   const double x = sign * (scaled(cone, p[1][0]) - scaled(cone, p[0][0]));
   const double y = sign * (scaled(cone, p[1][1]) - scaled(cone, p[0][1]));
   const struct arc flat = flat_arc(cone, i), space = space_arc(cone, i);
-  const double round = ROUND * (cone->flat + cone->v->scale.rounding);
+  const double rounding = cone->v->scale.rounding;
+  const double longer =
+      ROUND_ARC * (cone->flat * flat.longer + rounding * space.longer);
   ph_check_miss(cone->v, PH_CHECK_LENGTH, strip_of(i, "length"),
                 fabs(space.length - length), length,
                 (cone->v->error ? LENGTH * length : 0) + UNIT * length +
-                    ROUND * cone->v->scale.rounding,
+                    ROUND_ARC * rounding * space.longer,
                 "is not the length of the arc");
-  miss_flat(cone, i, fabs(flat.length - space.length), length, round,
+  miss_flat(cone, i, fabs(flat.length - space.length), length, longer,
             "is longer or shorter than the contact curve");
-  miss_flat(cone, i, fabs(flat.turn - turn), 1, round / length,
+  miss_flat(cone, i, fabs(flat.turn - turn), 1,
+            ROUND_ARC * cone->flat * flat.turned,
             "turns by another angle than the contact curve");
   miss_flat(cone, i, fabs(y * cos(angle) - x * sin(angle)) / hypot(x, y), 1,
             ROUND * cone->flat / length + 4 * DBL_EPSILON * fabs(angle),
@@ -255,7 +276,8 @@ static void check_flat(struct ph_check_cone *cone, size_t i) {
   miss_flat(
       cone, i,
       fabs(hypot(x, y) * fabs(s->development.weights[1]) - flat.chord / 2),
-      length, round, "has another leg than its angle");
+      length, ROUND * (cone->flat + rounding),
+      "has another leg than its angle");
   check_weights(cone, PH_CHECK_ISOMETRY, strip_of(i, "development"),
                 s->development.weights, turn / 2);
 }

@@ -10,8 +10,9 @@
 static const double UNIT = 64 * DBL_EPSILON;
 enum { ROUND = 16 };
 
-/* What the field degenerate_tolerance is where it is absent, some times. */
-static const double DEGENERATE = 1e-8;
+/* What is nothing beside the distance of the points where degenerate_tolerance
+ * is less; and the most that may be. */
+static const double DEGENERATE = 1e-8, DEGENERATE_MAX = 0.1;
 
 /* How far outside a place may be, relative to coordinates. */
 static const double NEAR = 2e-12;
@@ -252,6 +253,16 @@ static void check_diagnostics(struct ph_check_cone *cone) {
   check_diagnostic(cone->v, PH_D_REGULAR, inside > 0 ? 0 : 1, 1);
 }
 
+/* By how much directions of the arcs are uncertain: what both contact points
+ * are apart is known to rounding of the centre. */
+static double pair_rounding(const struct ph_check_cone *cone, size_t i) {
+  const struct ph_check_frame a = ph_check_cone_frame(cone, 2 * i, 0);
+  const struct ph_check_frame b = ph_check_cone_frame(cone, 2 * i + 1, 1);
+  const double radius =
+      ph_check_scaled(cone->v, cone->curve->surface.pairs[i].radius);
+  return isfinite(radius) ? UNIT * fabs(radius) / ph_check_apart(a.c, b.c) : 0;
+}
+
 /* A leg of an arc; weight / leg is what there is also of half circles. */
 static void check_leg(struct ph_check_cone *cone, size_t i, size_t j) {
   const struct ph_surface *surface = &cone->curve->surface;
@@ -265,26 +276,90 @@ static void check_leg(struct ph_check_cone *cone, size_t i, size_t j) {
     ph_check_number(cone->v, PH_CHECK_DIAGNOSTIC,
                     ph_check_of("pairs", i, "lambda"), chord / leg,
                     2 * arc->weights[1], 1,
-                    UNIT + ROUND * cone->v->scale.rounding / chord);
+                    UNIT + pair_rounding(cone, i) +
+                        ROUND * cone->v->scale.rounding / chord);
   }
 }
 
-/* The sphere: its centre is at the radius along both normals, as far as the
- * equations of the sphere, of which one may depend on the others by as little,
- * say so. */
+/*
+ * What the equations of a centre m lack of it, by m - c - r n at both ends,
+ *
+ *   (m - c1) . d1 = 0,  (m - c2) . d2 = 0,  (m - c1) . n1 = (m - c2) . n2,
+ *
+ * written as half the sum of the first two, their difference, and the third,
+ * the last two over the lengths of what they multiply m by: the larger of the
+ * two that are the least dependent on one another.
+ */
+static double lack_of(const ph_vec3 miss[2], const struct ph_check_frame f[2]) {
+  const ph_vec3 by = ph_vec3_sub(f[1].d, f[0].d);
+  const ph_vec3 up = ph_vec3_sub(f[0].n, f[1].n);
+  const ph_vec3 row[] = {ph_vec3_scale(0.5, ph_vec3_add(f[0].d, f[1].d)),
+                         ph_vec3_unit(by), ph_vec3_unit(up)};
+  const double a = ph_vec3_dot(miss[0], f[0].d);
+  const double b = ph_vec3_dot(miss[1], f[1].d);
+  const double left[] = {
+      fabs(a + b) / 2, fabs(b - a) / ph_vec3_abs(by),
+      fabs(ph_vec3_dot(miss[0], f[0].n) - ph_vec3_dot(miss[1], f[1].n)) /
+          ph_vec3_abs(up)};
+  double most = 0, found = 0;
+  for (size_t i = 0; i < 3; i++) {
+    const size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    const double area = ph_vec3_abs(ph_vec3_cross(row[j], row[k]));
+    if (area > most) {
+      most = area;
+      found = ph_check_larger(left[j], left[k]);
+    }
+  }
+  return found;
+}
+
+/* By how much the third equation of a pencil may miss, of the distance of the
+ * points: the tolerance of the problem, or any that there may be. */
+static double pencil_allowed(const struct ph_check_cone *cone) {
+  const struct ph_problem *problem = cone->v->problem;
+  if (!problem) {
+    return DEGENERATE_MAX;
+  }
+  return problem->field[PH_F_DEGENERATE].kind == PH_NUMBER
+             ? ph_check_larger(problem->field[PH_F_DEGENERATE].number,
+                               DEGENERATE)
+             : DEGENERATE;
+}
+
+/* The sphere: its centre is at the radius along both normals.  Of many that
+ * touch at two lines, a pencil, one equation depends on the others, and may be
+ * off by the tolerance that made it one. */
 static void check_center(struct ph_check_cone *cone, size_t i) {
   const struct ph_pair *pair = &cone->curve->surface.pairs[i];
+  const struct ph_check_frame f[] = {ph_check_cone_frame(cone, 2 * i, 0),
+                                     ph_check_cone_frame(cone, 2 * i + 1, 1)};
   const double radius = ph_check_scaled(cone->v, pair->radius);
   const ph_vec3 center = ph_check_vector(cone->v, pair->center, 3);
-  for (size_t j = 0; j < 2 && isfinite(pair->radius); j++) {
-    const struct ph_check_frame f =
-        ph_check_cone_frame(cone, 2 * i + j, (double)j);
-    ph_check_number(
-        cone->v, PH_CHECK_DIAGNOSTIC, ph_check_of("pairs", i, "center"),
-        ph_check_apart(center, ph_vec3_along(f.c, radius, f.n)), 0,
-        cone->v->scale.size + fabs(radius),
-        (cone->frame + DEGENERATE) * (cone->v->scale.size + fabs(radius)) +
-            ROUND * cone->v->scale.rounding);
+  const double size = cone->v->scale.size + fabs(radius);
+  const double allowed =
+      (cone->frame + UNIT) * size + ROUND * cone->v->scale.rounding;
+  const bool pencil = pair->which == PH_PAIR_PENCIL;
+  ph_vec3 miss[2];
+  double off = 0;
+  if (!isfinite(pair->radius)) {
+    return;
+  }
+  for (size_t j = 0; j < 2; j++) {
+    miss[j] = ph_vec3_sub(center, ph_vec3_along(f[j].c, radius, f[j].n));
+    off = ph_check_larger(off, ph_vec3_abs(miss[j]));
+  }
+  if (pencil) {
+    off -= pencil_allowed(cone) * ph_check_apart(f[0].c, f[1].c);
+    off = ph_check_larger(off, fabs(ph_vec3_dot(miss[0], f[0].n)));
+    off = ph_check_larger(off, fabs(ph_vec3_dot(miss[0], f[0].e)));
+    off = ph_check_larger(off, fabs(ph_vec3_dot(miss[1], f[1].e)));
+  }
+  ph_check_number(cone->v, PH_CHECK_DIAGNOSTIC,
+                  ph_check_of("pairs", i, "center"), off, 0, size, allowed);
+  if (pencil) {
+    ph_check_number(cone->v, PH_CHECK_DIAGNOSTIC,
+                    ph_check_of("pairs", i, "center"), lack_of(miss, f), 0,
+                    size, allowed);
   }
 }
 

@@ -451,3 +451,38 @@ accepted cone 'a height within which there is the vertex' --offset=1 <<'EOF'
 [0.304,-0.95,-0]],"lambda":[0.7,9],"height":[-0.08278,-0.048],
 "rulings":[[-0,0.8,0],[-0.6526,0.477,0.589],[-0.77,-0.246,0.5892]]}
 EOF
+
+# ---- what rounding and noise leave of pairs -----------------------------------
+
+accepted cone 'an arc nearly all around, far from the origin' --offset=0.009 <<'EOF'
+{"points":[[334420662,12519908,115542878.6],[334420661,12519908,115542878]],
+"tangents":[[-0.91467527,0.34494307,0.2106738],[-0.22587468,-0.53304895,
+-0.81537687]],"lambda":2,"rulings":[[0.2089053,-0.042754667,0.97700083],[
+-0.891526166,-0.224243983,0.39356795]]}
+EOF
+accepted cone 'a sphere of a hundred million times the distance' <<'EOF'
+{"points":[[0,0,0],[0,0,-0.0003]],"tangents":[[0.09038,-0.034126,0.99],[0.09038,
+-0.034126,1]],"rulings":[[0.93116,-0.35158,-0.096609],[0.93116,-0.351584,
+-0.096609]]}
+EOF
+equal 'equal legs are equal' true \
+  "$(jq '.pairs[0].lambda | (.[0] / .[1] - 1 | fabs) < 1e-14' any.result)"
+
+# Of a pencil of spheres one equation may miss by the tolerance; the others and
+# the places along the rulings do not, and the centre cannot go elsewhere.
+accepted cone 'a pencil of spheres, by a tolerance' <<'EOF'
+{"points":[[-0.26,0.7,0.59],[0.76,0.46,1.2]],"tangents":[[0.402,-0.617,0.68],[
+0.74,-0.64,0.21]],"rulings":[[-0.68,-0.695,-0.228],[-0.616,-0.77,-0.177]],
+"degenerate_tolerance":0.002}
+EOF
+equal 'its case' '"pencil"' "$(jq '.pairs[0].case' any.result)"
+run verify -q any.result
+expect 'a pencil of spheres, verified alone' 0
+for move in '[1e-7,0,0]' '[0,1e-7,0]' '[0,0,1e-7]' '[1e-7,1e-7,-1e-7]' \
+  '[-6.8e-8,-6.95e-8,-2.28e-8]' '[-6.16e-8,-7.7e-8,-1.77e-8]'; do
+  jq -c "$move as \$d | .pairs[0].center |= [., \$d] |
+    .pairs[0].center |= (transpose | map(add))" any.result >bad
+  run verify -q bad
+  equal "its centre moved by $move" '1 "pairs[0].center"' \
+    "$status $(get error.field)"
+done

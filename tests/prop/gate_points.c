@@ -49,8 +49,8 @@ static double size_of(const double *v, size_t dimension) {
 /* v to unit length; along x if it is 0. */
 static void normalise(double *v, size_t dimension) {
   double size = size_of(v, dimension);
-  for (size_t i = 0; i < dimension; i++) {
-    v[i] = size > 0 ? v[i] / size : i == 0;
+  for (size_t i = 0; i < dimension; i++) { /* it may be beyond all numbers */
+    v[i] = size > 0 && isfinite(size) ? v[i] / size : i == 0;
   }
 }
 

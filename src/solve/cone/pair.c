@@ -296,12 +296,14 @@ static enum ph_cone_reason find_chords(const struct elements *in, ph_vec3 a,
   const double aa = ph_vec3_dot(a, a), turn = 0.5 * ph_vec3_dot(by, by);
   const double ad1 = ph_vec3_dot(a, d1), ad2 = ph_vec3_dot(a, d2);
   const double sum = ad1 + ad2;
-  const double equal = sum + sqrt(sum * sum + 2 * aa * turn);
+  const double root = sqrt(sum * sum + 2 * aa * turn);
   const double high = ad1 > 0 ? 0.5 * aa / ad1 : HUGE_VAL;
   const double low = turn > 0 ? fmax(0, -ad2 / turn) : ad2 > 0 ? 0 : HUGE_VAL;
   double n, d, size;
   if (isnan(lambda)) {
-    lambda = aa / equal;
+    lambda = !(sum < 0)               ? aa / (root + sum)
+             : 2 * turn > SAME * SAME ? (root - sum) / (2 * turn)
+                                      : HUGE_VAL;
   }
   n = 0.5 * aa - lambda * ad1;
   d = ad2 + lambda * turn;
