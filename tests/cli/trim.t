@@ -166,6 +166,27 @@ feed "{$back"'[[10,4],[10,0]],[[10,0],[0,0]]]}' tc --offset=-1,-1e9 \
 expect 'nothing is left to the right' 0 "$warning nothing is left of the offset \
 at distance -1e+09: no point of it keeps that distance from the curve; \
 something is left up to -2 [offset-empty]"
+# ellipse N WOBBLE: points of one with half axes 2 and 1
+ellipse() {
+  awk -v n="$1" -v wobble="$2" 'BEGIN {
+    for (i = 0; i < n; i++) {
+      a = 6.283185307179586 * i / n
+      r = 1 + wobble * sin(int(n / 7) * a)
+      printf "%.15g,%.15g\n", 2 * r * cos(a), r * sin(a)
+    }
+  }'
+}
+ellipse 1000 0 >many.csv
+run planar --closed --offset=2 --offset-mode=trimmed many.csv
+expect 'nothing is left of many segments' 0 "phspline: many.csv:1: record 1: \
+warning: nothing is left of the offset at distance 2: no point of it keeps that \
+distance from the curve; something is left up to 1 [offset-empty]"
+# where all of the curve is near the depth it would take too long
+ellipse 1400 0.02 | awk -F, '{ print $1 / 2 "," $2 }' >many.csv
+run planar --closed --offset=2 --offset-mode=trimmed many.csv
+expect 'nothing is left, and it is not said up to where' 0 "phspline: \
+many.csv:1: record 1: warning: nothing is left of the offset at distance 2: no \
+point of it keeps that distance from the curve [offset-empty]"
 feed "$bone" tc --offset=1 --offset-mode=trimmed
 expect 'a neck of twice the distance' 0 "$warning the offset at distance 1 \
 touches itself: a slightly different distance may give other loops \
@@ -202,6 +223,27 @@ equal 'table of samples: curve and loops apart' 4 "$(grep -c '^$' out)"
 feed "$bone" tc --offset=1.5 --offset-mode=trimmed --format=svg-path
 equal 'paths' '3 3' "$(tr -dc M <out | wc -c | tr -d ' ') \
 $(tr -dc Z <out | wc -c | tr -d ' ')"
+
+# beside OPTION...: how far the cubics of paths are from the pieces of loops
+beside() {
+  run "$@"
+  cp out pieces
+  run "$@" --format=svg-path --chord-error=1e-3
+  beside_status=0
+  said=$(python3 "$srcdir/tests/cli/svg_loops.py" pieces out 1e-3 2>&1) ||
+    beside_status=$?
+  equal "paths beside pieces: $said" 0 "$beside_status"
+}
+if command -v python3 >/dev/null; then
+  printf '%s\n' "$bone" >bone
+  beside tc -q --offset=0.5,-1.5 --offset-mode=trimmed bone
+  printf '%s\n' "$eight" >eight
+  beside planar -q --offset=1.5 --offset-mode=trimmed --offset-sides=both eight
+  beside planar -q --basis=atph --tolerance=1e-4 --offset=-1.5,0.4 \
+    --offset-mode=trimmed eight
+else
+  echo 'skip paths beside pieces: no python3'
+fi
 run planar -q --closed --offset=-5 --offset-mode=trimmed --chord-error=0.1 \
   "$srcdir/data/coastline.csv"
 cp out record

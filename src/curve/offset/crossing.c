@@ -142,11 +142,13 @@ enum ph_status ph_crossings_of(const struct ph_strands *strands,
                                struct ph_crossings *crossings,
                                struct ph_diag *diag) {
   const size_t n = arcs->n;
-  struct tree tree = {.pairing = {.strands = strands,
-                                  .arcs = arcs,
-                                  .out = crossings,
-                                  .tests_most = TESTS_LEAST + TESTS_EACH * n,
-                                  .diag = diag}};
+  struct tree tree = {
+      .pairing = {.strands = strands,
+                  .arcs = arcs,
+                  .out = crossings,
+                  .tests_most = strands->effort ? *strands->effort
+                                                : TESTS_LEAST + TESTS_EACH * n,
+                  .diag = diag}};
   enum ph_status status;
   *crossings = (struct ph_crossings){.breaks = NULL};
   if (n == 0) {
@@ -161,6 +163,10 @@ enum ph_status ph_crossings_of(const struct ph_strands *strands,
   }
   build(&tree, 0, 0, n);
   status = visit(&tree, 0, 0, n, 0, 0, n);
+  if (strands->effort) {
+    const size_t tests = tree.pairing.tests;
+    *strands->effort -= tests < *strands->effort ? tests : *strands->effort;
+  }
   if (status == PH_E_NO_CONVERGENCE) {
     return ph_fail(diag, status, NULL,
                    "the offset at distance %g runs along itself in too many "

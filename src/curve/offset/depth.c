@@ -4,11 +4,14 @@
 
 #include <math.h>
 
-/* Of the depth; halvings until that is reached, at most; of so many segments
- * they take a few tenths of a second, as next to the depth all arcs are near to
- * each other. */
+/* Of the depth; halvings until that is reached, at most. */
 static const double NEAR = 1e-7;
-enum { HALVINGS_MAX = 80, SEGMENTS_MAX = 150 };
+enum { HALVINGS_MAX = 80 };
+
+/* Decisions on pairs of arcs, and segments, of all halvings: a few tenths of a
+ * second.  Next to the depth of what is round all arcs are near to each other.
+ */
+enum { EFFORT = 200000 };
 
 /* Whether anything is left at a distance; an offset that is not found is none.
  */
@@ -31,21 +34,22 @@ double ph_loops_depth(const struct ph_curve *curve,
   struct ph_offset_rules plain = *rules;
   const double most = ph_curve_size(curve), side = distance > 0 ? 1 : -1;
   double low = 0, high = fmin(fabs(distance), most);
+  size_t effort = EFFORT;
   plain.samples = (struct ph_sample_rules){.how = PH_SAMPLE_NONE};
-  if (!curve->closed || rules->crosses || rules->both ||
-      curve->n > SEGMENTS_MAX) {
+  plain.effort = &effort;
+  if (!curve->closed || rules->crosses || rules->both) {
     return (double)NAN; /* larger distances may leave more */
   }
   for (int i = 0; i < HALVINGS_MAX && high - low > NEAR * low; i++) {
     const double middle = 0.5 * (low + high);
-    if (ph_arena_late(arena)) {
+    bool left;
+    if (ph_arena_late(arena) || effort <= curve->n) {
       return (double)NAN;
     }
-    if (is_left(curve, &plain, side * middle, arena)) {
-      low = middle;
-    } else {
-      high = middle;
-    }
+    effort -= curve->n;
+    left = is_left(curve, &plain, side * middle, arena);
+    low = left ? middle : low;
+    high = left ? high : middle;
   }
   return low > 0 ? side * low : (double)NAN;
 }

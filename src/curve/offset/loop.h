@@ -34,8 +34,9 @@ enum ph_status ph_loops_of(const struct ph_curve *curve,
  * trimmed offset of a closed curve, the largest one that leaves something, by
  * halving; one that does, within 1e-7.
  *
- * ret  NaN: not known, as the curve is open or crosses itself, or has more than
- *      150 segments
+ * ret  NaN: not known, as the curve is open or crosses itself, or it takes
+ *      more than a few tenths of a second, as where all of the curve is near
+ * the depth
  */
 double ph_loops_depth(const struct ph_curve *curve,
                       const struct ph_offset_rules *rules, double distance,

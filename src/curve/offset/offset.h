@@ -50,6 +50,9 @@ struct ph_offset_rules {
   bool crosses;    /* the curve meets itself */
   bool keep; /* parts that run on each other in opposite directions, once */
 
+  size_t *effort; /* of loops: decisions on pairs of arcs that may be made, less
+                     those that were; NULL: as many as there are */
+
   double tolerance; /* of Bezier pieces of ATPH offsets, in the curve's unit */
   struct ph_sample_rules samples; /* how they are sampled, or not at all; on a
                                      sphere always */

@@ -242,6 +242,7 @@ enum ph_status ph_strands_of(const struct ph_curve *curve, double distance,
   *strands = (struct ph_strands){.distance = both ? -fabs(distance) : distance,
                                  .both = both,
                                  .has_inside = closed && !both && !crosses,
+                                 .effort = rules->effort,
                                  .arena = arena};
   status = copy_curve(strands, curve, both || bounds, diag);
   if (status != PH_OK) {

@@ -56,6 +56,7 @@ struct ph_strands {
   bool both;       /* all of one side of the curve and its reverse */
   bool has_inside; /* the curve is closed and does not meet itself, and of one
                       side what is kept is asked for */
+  size_t *effort;  /* of the rules */
   struct ph_arena *arena;
 };
 
