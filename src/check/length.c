@@ -59,9 +59,8 @@ static void check_interval(struct ph_check *v, size_t i, double each) {
 static void check_area(struct ph_check *v, double length) {
   const struct ph_check_where where = ph_check_of("area", PH_CHECK_ONE, NULL);
   const double size = v->scale.size;
-  /* squares may be subnormal, of each segment */
-  const double least =
-      (double)(v->curve->n + 1) * ph_check_scaled(v, v->scale.spacing);
+  /* the square may be subnormal */
+  const double least = ph_check_scaled(v, v->scale.spacing);
   double sum = 0, claimed = v->claim->area;
   struct ph_check_segment s;
   ph_vec3 origin;

@@ -190,3 +190,9 @@ if [ "${PH_SHORT-}" != 1 ]; then
 'more than 1e-8 of that [cut-short]' \
     "$(sed -n '/cut-short/s/ to 3[0-9.]*,/ to 3x,/p' err)"
 fi
+
+# An area below all normal numbers is rounded once.
+accepted planar 'a small closed curve' <<'EOF'
+{"points":[[0,0],[0,-3.121e-160],[8.057e-160,-7.415e-160]],"closed":true}
+EOF
+equal 'its area' 6.31055e-319 "$(json get area any.result)"
