@@ -29,8 +29,8 @@ bezier='"curve":[[0,0],[1,1],[2,0]]'
 
 # ---- what is needed ----------------------------------------------------------
 
-wrong missing-field points 'is required' '{"lambda":0.5}'
-wrong missing-field points 'is required' "{$t2}"
+wrong missing-field points 'or curve or path must be given' '{"lambda":0.5}'
+wrong missing-field points 'or curve or path must be given' "{$t2}"
 wrong too-few-points points 'must be at least 2, found 1' \
   '{"points":[[1,2]]}'
 wrong too-few-points points \

@@ -137,7 +137,8 @@ enum ph_status ph_tc_mode_of(const struct ph_problem *p, enum ph_tc_mode *mode,
   status = check_fields(p, *mode, diag);
   if (status == PH_OK && *mode != PH_TC_APPROXIMATE &&
       !ph_fields_given(p, PH_F_POINTS)) {
-    status = ph_fail(diag, PH_E_MISSING_FIELD, "points", "is required");
+    status = ph_fail(diag, PH_E_MISSING_FIELD, "points",
+                     "or curve or path must be given");
   }
   return status;
 }

@@ -151,7 +151,8 @@ PH_TEST(test_loop_later) {
 PH_TEST(test_failures) {
   double tangents[] = {1, 1, 1, 1};
   struct unit_solution s = spline(), none = {.result = {.offsets_n = 0}};
-  unit_tc_refused(&none, PH_E_MISSING_FIELD, "points", "is required");
+  unit_tc_refused(&none, PH_E_MISSING_FIELD, "points",
+                  "or curve or path must be given");
   unit_set_number(&s.problem, PH_F_TOLERANCE, 1);
   unit_tc_refused(&s, PH_E_BAD_VALUE, "tolerance",
                   "is for the mode approximate");
