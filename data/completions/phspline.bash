@@ -357,7 +357,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --rulings= --tangents= --normals= --closed --method= --lambda= --degenerate_tolerance= --apexes= --contact_point= --tangent_scale= --criterion= --angles= --alpha= --height= --flat= --translate= --merge= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --table= --with-file --fields= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --sample= --plot= --plot-size= --title= --volume= --panorama= --resolution= --fill= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --rulings= --tangents= --normals= --closed --method= --lambda= --degenerate_tolerance= --apexes= --contact_point= --tangent_scale= --criterion= --angles= --alpha= --height= --flat= --translate= --merge= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --table= --with-file --fields= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --sample= --plot= --plot-size= --title= --labels --volume= --panorama= --resolution= --fill= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac

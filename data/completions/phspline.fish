@@ -371,6 +371,7 @@ complete -c phspline -n '__fish_seen_subcommand_from cone' -s n -l sample -x -d 
 complete -c phspline -n '__fish_seen_subcommand_from cone' -s p -l plot -r -F -d 'draw data, results, offsets and curvature of the whole run: FILE.svg, FILE.pdf or FILE.png'
 complete -c phspline -n '__fish_seen_subcommand_from cone' -l plot-size -x -d 'size of the figure, in pixels (.png) or points of 1/72 inch'
 complete -c phspline -n '__fish_seen_subcommand_from cone' -l title -x -d 'a title for the figure'
+complete -c phspline -n '__fish_seen_subcommand_from cone' -l labels -d 'number the points in the figure, from 0, as messages count them'
 complete -c phspline -n '__fish_seen_subcommand_from cone' -l volume -x -d 'the volume that --panorama shows'
 complete -c phspline -n '__fish_seen_subcommand_from cone' -l panorama -r -F -d 'the volume on the surface, laid flat: FILE.png or FILE.nrrd'
 complete -c phspline -n '__fish_seen_subcommand_from cone' -l resolution -x -d 'points of the panorama over the unit of length'

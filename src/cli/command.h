@@ -21,7 +21,7 @@ struct ph_item;
 enum ph_use {
   PH_USE_CURVE = 1,
   PH_USE_SURFACE = 2,
-  PH_USE_DRAW = 3, /* these have figures */
+  PH_USE_DRAW = 3, /* these have points in their figures */
   PH_USE_VERIFY = 4,
   PH_USE_PATCHES = 8,
   PH_USE_ANY_SURFACE = 10,

@@ -130,7 +130,7 @@
   X(PLOT_SIZE, SOLVE, 0, "plot-size", "WIDTHxHEIGHT",                          \
     "size of the figure, in pixels (.png) or points of 1/72 inch")             \
   X(TITLE, SOLVE, 0, "title", "TEXT", "a title for the figure")                \
-  X(LABELS, CURVE, 0, "labels", NULL,                                          \
+  X(LABELS, DRAW, 0, "labels", NULL,                                           \
     "number the points in the figure, from 0, as messages count them")         \
   X(VOLUME_OF, VERIFY, 0, "volume", "FILE.nrrd",                               \
     "the volume of the panoramas of results, to check these as well")          \

@@ -376,6 +376,7 @@ static enum ph_status draw_surface(struct ph_pen *pen) {
     return ph_fail_memory(pen->diag);
   }
   status = add_sheet(pen, &r->curve);
+  ph_pen_numbers(pen, d->sheets[0].elements_n);
   for (size_t i = 0; status == PH_OK && i < r->parallels_n; i++) {
     status = add_sheet(pen, &r->parallels[i].curve);
   }

@@ -82,7 +82,8 @@ struct ph_drawing {
   size_t strokes_n;
   ph_vec3 *data; /* [data_n], the points that the curve goes through */
   size_t data_n;
-  size_t *numbers; /* [data_n] of the data, where some were merged; or NULL */
+  size_t *numbers; /* [data_n] of the data, or of the elements of a surface,
+                      where some were merged; or NULL */
   struct ph_profile *profiles; /* [segments_n] */
   size_t segments_n;           /* as many as strokes of the curve */
   struct ph_sheet *sheets; /* [sheets_n] of a surface: itself, then those that

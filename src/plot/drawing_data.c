@@ -59,17 +59,16 @@ void ph_pen_polygons(struct ph_pen *pen) {
 
 /* ---- data ---------------------------------------------------------------- */
 
-/* Which of the given data these are, where others were joined to them. */
-static void number_data(struct ph_pen *pen) {
+void ph_pen_numbers(struct ph_pen *pen, size_t n) {
   const struct ph_result *r = pen->result;
   struct ph_drawing *d = pen->drawing;
   size_t gone = 0, number = 0;
   if (r->merged_n == 0) {
     return;
   }
-  d->numbers = ph_arena_array(&d->arena, d->data_n, sizeof *d->numbers);
+  d->numbers = ph_arena_array(&d->arena, n, sizeof *d->numbers);
   pen->failed = pen->failed || !d->numbers;
-  for (size_t i = 0; !pen->failed && i < d->data_n; i++, number++) {
+  for (size_t i = 0; !pen->failed && i < n; i++, number++) {
     for (; gone < r->merged_n && r->merged[gone] == number; gone++) {
       number++;
     }
@@ -101,7 +100,7 @@ void ph_pen_data(struct ph_pen *pen) {
   for (size_t i = 0; i < d->data_n; i++) {
     ph_pen_box(d, d->data[i]);
   }
-  number_data(pen);
+  ph_pen_numbers(pen, d->data_n);
 }
 
 /* ---- tangents and derivatives -------------------------------------------- */

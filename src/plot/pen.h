@@ -48,6 +48,10 @@ void ph_pen_lift(struct ph_pen *pen, enum ph_stroke_role role, size_t index);
 /* ph_pen_data: the ends of the intervals of the data, or the joints. */
 void ph_pen_data(struct ph_pen *pen);
 
+/* ph_pen_numbers: which of the given data n points are, where others were
+ * joined to them. */
+void ph_pen_numbers(struct ph_pen *pen, size_t n);
+
 /* ph_pen_polygons: control polygons of all segments. */
 void ph_pen_polygons(struct ph_pen *pen);
 

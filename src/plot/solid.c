@@ -430,6 +430,24 @@ static void draw_elements(const struct ph_look *look,
   }
 }
 
+/* The numbers of the points that can be seen. */
+static void draw_labels(const struct ph_look *look,
+                        const struct ph_cells *cells, bool flat) {
+  const struct ph_drawing *d = look->panel->drawings[0];
+  const struct ph_sheet *sheet = &d->sheets[0];
+  struct ph_labels labels;
+  labels.n = 0;
+  for (size_t i = 0; look->panel->labels && i < sheet->elements_n; i++) {
+    const struct ph_element *e = &sheet->elements[i];
+    const ph_vec3 point =
+        ph_unit_in(&look->panel->unit, flat ? e->flat : e->point);
+    if (!is_hidden(look, cells, point)) {
+      ph_strokes_label(look, &labels, spot_at(look, point),
+                       d->numbers ? d->numbers[i] : i);
+    }
+  }
+}
+
 void ph_solid_draw(const struct ph_look *look) {
   const struct ph_panel *panel = look->panel;
   for (size_t i = 0; i < panel->solid.n; i++) {
@@ -442,6 +460,7 @@ void ph_solid_draw(const struct ph_look *look) {
     }
     draw_elements(look, panel->drawings[i], &panel->solid, false);
   }
+  draw_labels(look, &panel->solid, false);
 }
 
 void ph_solid_flat(const struct ph_look *look) {
@@ -452,4 +471,5 @@ void ph_solid_flat(const struct ph_look *look) {
   for (size_t i = 0; i < panel->n; i++) {
     draw_elements(look, panel->drawings[i], NULL, true);
   }
+  draw_labels(look, NULL, true);
 }

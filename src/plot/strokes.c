@@ -357,28 +357,36 @@ static void draw_points(const struct ph_look *look, enum ph_side side,
 
 /* ---- numbers of points --------------------------------------------------- */
 
-/* Of the points that can be seen, as far as numbers do not cover each other. */
+void ph_strokes_label(const struct ph_look *look, struct ph_labels *labels,
+                      struct ph_spot spot, size_t number) {
+  const double em = look->em;
+  const struct ph_spot at = {spot.x + LABEL_RIGHT * em, spot.y - LABEL_UP * em};
+  char text[PH_PLOT_TEXT_MAX];
+  if (labels->n > PH_DRAWING_SEGMENTS ||
+      !ph_rect_has(&look->window.rect, at, 0)) {
+    return;
+  }
+  for (size_t k = 0; k < labels->n; k++) {
+    if (!(fabs(at.x - labels->at[k].x) > LABEL_WIDE * em ||
+          fabs(at.y - labels->at[k].y) > LABEL_HIGH * em)) {
+      return;
+    }
+  }
+  labels->at[labels->n++] = at;
+  ph_plot_text_number(number, text);
+  ph_page_text(look->page, at, LABEL * em, 0, false, text);
+}
+
+/* Of the points that can be seen. */
 static void draw_labels(const struct ph_look *look, enum ph_side side) {
   const struct ph_drawing *d = look->panel->drawings[0];
-  const double em = look->em;
-  struct ph_spot taken[PH_DRAWING_SEGMENTS + 1];
-  size_t taken_n = 0;
-  for (size_t i = 0; i < d->data_n && taken_n <= PH_DRAWING_SEGMENTS; i++) {
+  struct ph_labels labels;
+  labels.n = 0;
+  for (size_t i = 0; i < d->data_n; i++) {
     const struct ph_seen seen = see(look, d->data[i]);
-    const struct ph_spot spot = spot_of(look, seen);
-    const struct ph_spot at = {spot.x + LABEL_RIGHT * em,
-                               spot.y - LABEL_UP * em};
-    bool free_place =
-        shown(seen, side) && ph_rect_has(&look->window.rect, at, 0);
-    char text[PH_PLOT_TEXT_MAX];
-    for (size_t k = 0; free_place && k < taken_n; k++) {
-      free_place = fabs(at.x - taken[k].x) > LABEL_WIDE * em ||
-                   fabs(at.y - taken[k].y) > LABEL_HIGH * em;
-    }
-    if (free_place) {
-      taken[taken_n++] = at;
-      ph_plot_text_number(d->numbers ? d->numbers[i] : i, text);
-      ph_page_text(look->page, at, LABEL * em, 0, false, text);
+    if (shown(seen, side)) {
+      ph_strokes_label(look, &labels, spot_of(look, seen),
+                       d->numbers ? d->numbers[i] : i);
     }
   }
 }

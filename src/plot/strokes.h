@@ -23,6 +23,17 @@ enum ph_side { PH_SIDE_ALL, PH_SIDE_HIDDEN, PH_SIDE_VISIBLE };
 /* ph_strokes_draw: all strokes of all drawings, then their points. */
 void ph_strokes_draw(const struct ph_look *look, enum ph_side side);
 
+/* Numbers of points that are there; {.n = 0}: none yet. */
+struct ph_labels {
+  size_t n;
+  struct ph_spot at[PH_DRAWING_SEGMENTS + 1];
+};
+
+/* ph_strokes_label: the number of a point beside its spot, unless it would
+ * cover another one or leave the window. */
+void ph_strokes_label(const struct ph_look *look, struct ph_labels *labels,
+                      struct ph_spot spot, size_t number);
+
 /* ph_strokes_line: any polyline in space, in the unit, with the pen as it is:
  * one path. */
 void ph_strokes_line(const struct ph_look *look, enum ph_side side,

@@ -203,6 +203,14 @@ inks x.svg >found
 equal 'a contact curve: points, arrows, and rulings alone' '4 4 4 0' \
   "$(ink 'fill 10,10,10' <found) $(ink 'stroke 36,36,36' <found) \
 $(ink 'stroke 22,24,28' <found) $(ink 'stroke 58,60,64' <found)"
+run cone -q -p x.svg --labels <<'END'
+{"points":[[252.6524,62,92.5],[252.6525,62,92.5],[266.5158,65.1388,91.5]],
+"rulings":[[-0.1151,0.2405,0.9638],[-0.1151,0.2405,0.9638],[-0.1785,0.165,0.97]],
+"tangents":[[0.9925,0.069,0.1013],[0.9925,0.069,0.1013],[0.8847,0.4583,0.0849]],
+"height":[-9,9],"merge":0.01}
+END
+equal 'a surface: numbers of points, in space and flat' '0 2 0 2 ' \
+  "$(grep 'font-size="9"' x.svg | sed -n 's/.*>\([0-9]*\)<.*/\1/p' | tr '\n' ' ')"
 feed '{"closed":true,"points":[[2,0,0],[-1,1.7320508075688772,0],'\
 '[-1,-1.7320508075688772,0]],"rulings":[[0,0,1],[0,0,1],[0,0,1]],'\
 '"tangents":[[0,1,0],[-0.8660254037844386,-0.5,0],'\
