@@ -42,18 +42,12 @@ static inline struct neighbours neighbours_of(const struct ph_planar_c2 *c2,
   return s;
 }
 
-/* Equation (1): the mean of two unknowns that is w at their common knot. */
-static inline ph_cplx at_knot(double y, ph_cplx left, ph_cplx right) {
-  return ph_cplx_of(right.re + y * (left.re - right.re),
-                    right.im + y * (left.im - right.im));
-}
-
 void ph_planar_preimage(const struct ph_planar_c2 *c2, const ph_cplx *b,
                         size_t k, ph_cplx w[3]) {
   struct neighbours s = neighbours_of(c2, b, k);
-  w[0] = at_knot(c2->y[k], s.before, s.here);
+  w[0] = ph_planar_at_knot(c2->y[k], s.before, s.here);
   w[1] = s.here;
-  w[2] = at_knot(c2->y[k + 1], s.here, s.after);
+  w[2] = ph_planar_at_knot(c2->y[k + 1], s.here, s.after);
 }
 
 /* The unknowns as one for each segment. */
@@ -68,7 +62,7 @@ static inline void advance(const struct ph_planar_c2 *c2, const ph_cplx *mine,
                            size_t k, ph_cplx w[3]) {
   w[0] = w[2];
   w[1] = mine[k];
-  w[2] = at_knot(c2->y[k + 1], mine[k], mine[k + 1]);
+  w[2] = ph_planar_at_knot(c2->y[k + 1], mine[k], mine[k + 1]);
 }
 
 /* Derivatives of F[k] with respect to w0, w1, w2, and F[k] itself, which is
@@ -111,7 +105,7 @@ static struct ph_tri_row end_row(const struct ph_planar_c2 *c2,
                                  const ph_cplx *b, int side,
                                  struct ph_planar_measure *m) {
   const ph_cplx *pair = side ? b + c2->n : b;
-  ph_cplx w = at_knot(0.5, pair[0], pair[1]);
+  ph_cplx w = ph_planar_at_knot(0.5, pair[0], pair[1]);
   double size = c2->end_size[side];
   ph_cplx g = ph_cplx_scale(1 / size, w); /* 2 w / size times the weight 1/2 */
   ph_cplx f =
@@ -215,7 +209,8 @@ struct ph_planar_measure ph_planar_newton_step(const struct ph_planar_c2 *c2,
     struct ph_tri_row row = end_row(c2, b, 0, &m);
     ph_tri_begin(tri, c2->n + 2, row, end_row(c2, b, 1, &m));
   }
-  w[2] = at_knot(c2->y[first], neighbours_of(c2, b, first).before, mine[first]);
+  w[2] = ph_planar_at_knot(c2->y[first], neighbours_of(c2, b, first).before,
+                           mine[first]);
   for (size_t k = first; k < end; k++) {
     struct ph_tri_row row;
     advance(c2, mine, k, w);
@@ -279,14 +274,14 @@ struct ph_planar_measure ph_planar_residual(const struct ph_planar_c2 *c2,
   const ph_cplx *mine = of_segments(c2, b);
   size_t end = c2->closed ? c2->n - 1 : c2->n;
   ph_cplx w[3];
-  w[2] = at_knot(c2->y[0], neighbours_of(c2, b, 0).before, mine[0]);
+  w[2] = ph_planar_at_knot(c2->y[0], neighbours_of(c2, b, 0).before, mine[0]);
   for (size_t k = 0; k < end; k++) {
     advance(c2, mine, k, w);
-    measure_add(&m, k, equation_of(c2, k, w).f);
+    measure_add(&m, k, ph_planar_closing(c2, k, w));
   }
   if (c2->closed) {
     ph_planar_preimage(c2, b, end, w);
-    measure_add(&m, end, equation_of(c2, end, w).f);
+    measure_add(&m, end, ph_planar_closing(c2, end, w));
   } else {
     end_row(c2, b, 0, &m);
     end_row(c2, b, 1, &m);
@@ -312,7 +307,7 @@ double ph_planar_rounding(const struct ph_planar_c2 *c2, const ph_cplx *b) {
   for (int side = 0; side < 2 && !c2->closed; side++) {
     /* The error of w = (b + b')/2 is that of its terms, times 2 |w| / |d|. */
     const ph_cplx *pair = side ? b + c2->n : b;
-    double w = ph_cplx_abs(at_knot(0.5, pair[0], pair[1]));
+    double w = ph_cplx_abs(ph_planar_at_knot(0.5, pair[0], pair[1]));
     double terms = w * (ph_cplx_abs(pair[0]) + ph_cplx_abs(pair[1]));
     struct ph_planar_measure m = {0, 0, 0};
     double f;
@@ -418,8 +413,10 @@ static struct ph_tri_row spline_row(const struct ph_planar_c2 *c2, size_t k) {
   double to = (1 - c2->y[k + 1]) * ph_planar_space(c2, k)->slope;
   double y = from / (from + to); /* h[k+1] / (h[k] + h[k+1]), from (1) */
   ph_cplx left = chord_slope(c2, k), right = chord_slope(c2, next);
-  struct ph_tri_row row = {
-      {y, 0}, {2, 0}, {1 - y, 0}, ph_cplx_scale(3, at_knot(y, left, right))};
+  struct ph_tri_row row = {{y, 0},
+                           {2, 0},
+                           {1 - y, 0},
+                           ph_cplx_scale(3, ph_planar_at_knot(y, left, right))};
   return row;
 }
 

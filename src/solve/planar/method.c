@@ -424,8 +424,8 @@ enum ph_status ph_planar_curve_alloc(const struct ph_planar_data *d,
   return ph_curve_alloc(curve, arena, diag);
 }
 
-static void loops_add(struct ph_planar_loops *loops, size_t k,
-                      const struct ph_atph *space, const ph_cplx w[3]) {
+static inline void loops_add(struct ph_planar_loops *loops, size_t k,
+                             const struct ph_atph *space, const ph_cplx w[3]) {
   struct ph_seg2 seg;
   double angle;
   if (ph_seg2_moves_on(w)) {
@@ -441,36 +441,51 @@ static void loops_add(struct ph_planar_loops *loops, size_t k,
   }
 }
 
-/* Control points and lengths come from the preimage with respect to u in [0,1];
- * that of an atph curve is written with respect to t. */
+/* Segment k of the preimage w with respect to u in [0,1], in the root of the
+ * user's unit; that of an atph curve is written with respect to t. */
+static inline double fill_segment(const struct ph_planar_data *d, size_t k,
+                                  const struct ph_atph *space, ph_cplx w[3],
+                                  struct ph_curve *curve) {
+  const double length = ph_seg2_length(space, w);
+  ph_seg2_control_points(space, w, ph_planar_point(d, k),
+                         ph_planar_point(d, k + 1),
+                         (ph_cplx *)(curve->control_points + 12 * k));
+  if (d->atph) {
+    for (int i = 0; i < 3; i++) {
+      w[i] = ph_cplx_scale(1 / sqrt(space->angle), w[i]);
+    }
+    curve->preimage.alpha[k] = space->angle;
+  }
+  memcpy(curve->preimage.v + 6 * k, w, 3 * sizeof *w);
+  return curve->lengths[k] = length;
+}
+
 void ph_planar_curve_fill(const struct ph_planar_data *d, const ph_cplx *b,
                           struct ph_curve *curve,
                           struct ph_planar_loops *loops) {
+  const struct ph_planar_c2 *c2 = &d->c2;
+  const ph_cplx *mine = d->closed ? b : b + 1;
   double root = ldexp(1, -d->exponent / 2);
   struct ph_sum length = {0, 0};
+  ph_cplx w[3];
   *loops = (struct ph_planar_loops){0, 0, 0};
   memcpy(curve->knots, d->knots, (d->n + 1) * sizeof *d->knots);
   for (size_t k = 0; k < d->n; k++) {
-    const struct ph_atph *space = ph_planar_space(&d->c2, k);
-    double size = root * sqrt(d->h[k]);
-    ph_cplx w[3];
-    ph_planar_preimage(&d->c2, b, k, w);
+    const struct ph_atph *space = ph_planar_space(c2, k);
+    const double size = root * sqrt(d->h[k]);
+    ph_cplx scaled[3];
+    if (k > 0 && k + 1 < d->n) { /* half of it is that of the segment before */
+      w[0] = w[2];
+      w[1] = mine[k];
+      w[2] = ph_planar_at_knot(c2->y[k + 1], mine[k], mine[k + 1]);
+    } else {
+      ph_planar_preimage(c2, b, k, w);
+    }
     loops_add(loops, k, space, w);
     for (int i = 0; i < 3; i++) {
-      w[i] = ph_cplx_scale(size, w[i]);
+      scaled[i] = ph_cplx_scale(size, w[i]);
     }
-    ph_seg2_control_points(space, w, ph_planar_point(d, k),
-                           ph_planar_point(d, k + 1),
-                           (ph_cplx *)(curve->control_points + 12 * k));
-    curve->lengths[k] = ph_seg2_length(space, w);
-    ph_sum_add(&length, curve->lengths[k]);
-    for (int i = 0; d->atph && i < 3; i++) {
-      w[i] = ph_cplx_scale(1 / sqrt(space->angle), w[i]);
-    }
-    if (d->atph) {
-      curve->preimage.alpha[k] = space->angle;
-    }
-    memcpy(curve->preimage.v + 6 * k, w, sizeof w);
+    ph_sum_add(&length, fill_segment(d, k, space, scaled, curve));
   }
   curve->length = ph_sum_value(&length);
 }

@@ -28,8 +28,9 @@ static const double FOLLOW_NEAR = 0.5;
 struct work {
   const struct ph_arena *arena; /* knows how much time there is */
   struct ph_tri tri;
-  ph_cplx *b;    /* the iterate */
-  ph_cplx *step; /* Newton's step, then the next iterate; start values */
+  double *inverse; /* [n] of the quick way, or NULL: not that */
+  ph_cplx *b;      /* the iterate */
+  ph_cplx *step;   /* Newton's step, then the next iterate; start values */
 };
 
 static bool is_solved(const struct ph_planar_measure *m) {
@@ -132,10 +133,28 @@ static bool solve_from(struct ph_planar_c2 *c2, struct work *w, start_fn *start,
   return newton(c2, w, true, NEWTON_CAP, iterations, m);
 }
 
+/* The quick way, and Newton from where it ends. */
+static bool try_quick(struct ph_planar_c2 *c2, struct work *w,
+                      size_t *iterations, struct ph_planar_measure *m) {
+  const struct ph_planar_measure none = {0, HUGE_VAL, 0};
+  enum ph_planar_quick found = PH_PLANAR_QUICK_NONE;
+  if (w->inverse) {
+    found = ph_planar_c2_quick(c2, w->arena, SOLVED, w->b, w->step, w->inverse,
+                               iterations, m);
+  }
+  if (found == PH_PLANAR_QUICK_SOLVED ||
+      (found == PH_PLANAR_QUICK_NEAR &&
+       newton(c2, w, false, PLAIN_CAP, iterations, m))) {
+    return true;
+  }
+  *m = none;
+  return false;
+}
+
 static bool try_starts(struct ph_planar_c2 *c2, struct work *w,
                        size_t *iterations, struct ph_planar_measure *m) {
   static start_fn *const starts[] = {start_from_chords, start_from_spline};
-  bool solved = false;
+  bool solved = try_quick(c2, w, iterations, m);
   for (size_t i = 0; i < sizeof starts / sizeof starts[0] && !solved; i++) {
     struct ph_planar_measure last = {0, HUGE_VAL, 0};
     solved = solve_from(c2, w, starts[i], iterations, &last);
@@ -154,8 +173,16 @@ static enum ph_status work_init(struct work *w, const struct ph_planar_c2 *c2,
   w->arena = scratch;
   /* One more: the knot derivatives of a closed cubic spline. */
   w->step = ph_arena_array(scratch, n + 1, sizeof *w->step);
-  return w->step && ph_tri_alloc(&w->tri, scratch, n) ? PH_OK
-                                                      : ph_fail_memory(diag);
+  w->inverse = NULL;
+  if (!w->step || !ph_tri_alloc(&w->tri, scratch, n)) {
+    return ph_fail_memory(diag);
+  }
+  if (c2->n >= PH_PLANAR_QUICK_LEAST && c2->space_stride == 0 &&
+      !(fabs(c2->space->angle) > 0) && !c2->turned) {
+    w->inverse = ph_arena_array(scratch, n, sizeof *w->inverse);
+    return w->inverse ? PH_OK : ph_fail_memory(diag);
+  }
+  return PH_OK;
 }
 
 /* Reports, and puts the solution where the caller wants it. */

@@ -73,12 +73,32 @@ ph_planar_space(const struct ph_planar_c2 *c2, size_t k) {
   return c2->space + k * c2->space_stride;
 }
 
+/* ph_planar_at_knot: (1), the mean of two unknowns that is w at their common
+ * knot. */
+static inline ph_cplx ph_planar_at_knot(double y, ph_cplx left, ph_cplx right) {
+  return ph_cplx_of(right.re + y * (left.re - right.re),
+                    right.im + y * (left.im - right.im));
+}
+
 /* ph_planar_unknowns: the number of unknowns, n or n + 2. */
 size_t ph_planar_unknowns(const struct ph_planar_c2 *c2);
 
 /* ph_planar_preimage: w0, w1, w2 of segment k from the unknowns b. */
 void ph_planar_preimage(const struct ph_planar_c2 *c2, const ph_cplx *b,
                         size_t k, ph_cplx w[3]);
+
+/* ph_planar_closing: F[k], from w0, w1, w2. */
+static inline ph_cplx ph_planar_closing(const struct ph_planar_c2 *c2, size_t k,
+                                        const ph_cplx w[3]) {
+  const double *q = ph_planar_space(c2, k)->q;
+  const ph_cplx u = {q[0] * w[0].re + q[1] * w[1].re + q[3] * w[2].re,
+                     q[0] * w[0].im + q[1] * w[1].im + q[3] * w[2].im};
+  const ph_cplx v = {q[0] * w[2].re + q[1] * w[1].re,
+                     q[0] * w[2].im + q[1] * w[1].im};
+  ph_cplx sum = ph_cplx_add(ph_cplx_mul(u, w[0]), ph_cplx_mul(v, w[2]));
+  sum = ph_cplx_add(sum, ph_cplx_mul(ph_cplx_scale(q[2], w[1]), w[1]));
+  return ph_cplx_sub(ph_cplx_scale(c2->ratio[k], sum), c2->direction[k]);
+}
 
 /*
  * ph_planar_c2_solve: the "good" solution: damped Newton from the chord start,
@@ -234,6 +254,35 @@ static inline ph_cplx *ph_planar_middles(const struct ph_planar_c2 *c2,
  */
 void ph_planar_start(struct ph_planar_c2 *c2, struct ph_tri *tri, ph_cplx *root,
                      ph_cplx *b);
+
+/* ---- smooth data --------------------------------------------------------- */
+
+/* Segments from which on ph_planar_c2_quick is of use: more than 64, and than
+ * those for which a problem's theorem of Kantorovich is told. */
+enum { PH_PLANAR_QUICK_LEAST = 101 };
+
+enum ph_planar_quick {
+  PH_PLANAR_QUICK_NONE,  /* another start is needed */
+  PH_PLANAR_QUICK_NEAR,  /* b is a start for Newton's method */
+  PH_PLANAR_QUICK_SOLVED /* b is a solution */
+};
+
+/*
+ * ph_planar_c2_quick: a solution, or a start, of many PH quintics through
+ * smooth data (quick.c); PH_PLANAR_QUICK_LEAST segments or more, none turned.
+ *
+ * inout c2          twist is set (closed)
+ * in    clock       knows how much time there is
+ * in    solved      max |F| that is a solution
+ * out   b[unknowns]
+ * -     work[n], inverse[n]
+ * inout iterations
+ * out   m           of b, unless there is none
+ */
+enum ph_planar_quick
+ph_planar_c2_quick(struct ph_planar_c2 *c2, const struct ph_arena *clock,
+                   double solved, ph_cplx *b, ph_cplx *work, double *inverse,
+                   size_t *iterations, struct ph_planar_measure *m);
 
 /* ---- the theorem of Kantorovich ------------------------------------------ */
 
