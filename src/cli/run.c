@@ -211,6 +211,7 @@ static bool fill_slot(struct run *r, bool may_wait) {
   }
   for (size_t i = 0; i < slot->n; i++) { /* the text has stopped moving */
     slot->items[i].record.text = slot->text.data + slot->text_at[i];
+    slot->items[i].held = slot->n == 1 ? &slot->text : NULL;
   }
   return slot->n > 0;
 }

@@ -23,6 +23,9 @@
  * phspline-arclength). */
 static const double SHARP = 0.01;
 
+/* Texts of so many bytes do not stay in memory beside the curve. */
+enum { FORGOTTEN = 1 << 20 };
+
 /* An item on its way. */
 struct task {
   const struct ph_options *options;
@@ -189,6 +192,15 @@ static enum ph_status prepare(struct task *t) {
              : status;
 }
 
+/* Of a large problem that was read, the text is freed. */
+static void forget_text(struct task *t) {
+  struct ph_item *item = t->item;
+  if (item->held && item->record.n >= FORGOTTEN &&
+      ph_record_forget(&item->record, &t->echo, &t->worker->arena)) {
+    ph_buf_free(item->held);
+  }
+}
+
 /* Whether a value is what is advised, or as large. */
 static bool has(const struct ph_value *value, const char *advised) {
   return value->kind != PH_ABSENT &&
@@ -241,6 +253,7 @@ static enum ph_status solve(struct task *t) {
     status = prepare(t);
   }
   if (status == PH_OK) {
+    forget_text(t);
     t->result.diagnostics.unasked = t->options->unasked;
     status = command->method->solve(&t->problem, &worker->arena,
                                     &worker->scratch, &t->result, &t->diag);

@@ -31,6 +31,8 @@ struct ph_item {
                           solves no problem */
   bool cut_off;        /* ... so that nothing behind it could be read */
   size_t sweep;
+  struct ph_buf *held; /* the text, of this item alone, which may be freed when
+                          it is read; NULL: of others, too */
   const struct ph_paired *paired; /* the problem of a result (cli/pairing.h) */
   bool draw;                      /* for the figure */
   struct ph_drawing *drawing;     /* out: to be freed; NULL: there is none */

@@ -6,6 +6,8 @@
 #include "io/json_in.h"
 #include "io/obj_in.h"
 
+#include <string.h>
+
 enum ph_status ph_record_read(const struct ph_record *record,
                               const struct ph_schema *schema,
                               struct ph_arena *arena,
@@ -21,8 +23,32 @@ enum ph_status ph_record_read(const struct ph_record *record,
   return ph_json_in(record, schema, arena, problem, echo, diag);
 }
 
+/* The same in the arena; NULL: there is none, or memory is exhausted. */
+static const char *keep(const char *text, size_t n, struct ph_arena *arena) {
+  return text ? ph_arena_copy(arena, text, n) : NULL;
+}
+
+bool ph_record_forget(struct ph_record *record, struct ph_echo *echo,
+                      struct ph_arena *arena) {
+  const char *id, *meta;
+  if (record->columns || record->mesh ||
+      memchr(record->text, '\n', record->n)) {
+    return false;
+  }
+  id = keep(echo->id, echo->id_n, arena);
+  meta = keep(echo->meta, echo->meta_n, arena);
+  if ((echo->id && !id) || (echo->meta && !meta)) {
+    return false;
+  }
+  echo->id = id;
+  echo->meta = meta;
+  record->text = NULL;
+  return true;
+}
+
 size_t ph_record_line(const struct ph_record *record, const char *path) {
-  return record->columns ? ph_csv_line(record, path)
-         : record->mesh  ? ph_obj_line(record, path)
-                         : ph_json_line(record, path);
+  return !record->text     ? record->line
+         : record->columns ? ph_csv_line(record, path)
+         : record->mesh    ? ph_obj_line(record, path)
+                           : ph_json_line(record, path);
 }

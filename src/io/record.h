@@ -52,6 +52,15 @@ enum ph_status ph_record_read(const struct ph_record *record,
                               struct ph_diag *diag);
 
 /*
+ * ph_record_forget: the text of a record that was read will not be there any
+ * more; what is echoed goes to the arena, and lines are known without it.
+ *
+ * ret  false: it has to stay, for the lines, or as memory is exhausted
+ */
+bool ph_record_forget(struct ph_record *record, struct ph_echo *echo,
+                      struct ph_arena *arena);
+
+/*
  * ph_record_line: the line in the file of the element that a path names,
  * points[3][1] or end_derivatives; of the innermost part that exists, at least
  * the record's first line.  Walks through the record: for failures only.

@@ -27,7 +27,7 @@ enum {
   LEAST_READ = 1 << 12,     /* less room than a page is not worth a call */
   KEEP_CAPACITY = 1 << 20,  /* buffers up to this never shrink */
   SHRINK_RATIO = 8,         /* a buffer so many times too large shrinks */
-  RELEASED = 16 << 20       /* a record that is large */
+  RELEASED = KEEP_CAPACITY  /* a record that is large */
 };
 
 /* ---- the window ----------------------------------------------------- */

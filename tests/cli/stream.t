@@ -293,6 +293,28 @@ else
   peak kilobytes "$PHSPLINE" planar -j 1 -i csv in >out 2>err
   true_that 'memory for a long curve as JSON: 350 bytes a point' test \
     "$(cat kilobytes)" -le $((6144 + 350 * 60000 / 1024))
+  # one JSON problem of 4 MB: peak for a byte of it, above the program's own 6
+  # MB (with text and workspaces kept it was 10.4, 9.4 and 50)
+  # heavy COMMAND DIMENSION MOST
+  heavy() {
+    awk -v d="$2" 'BEGIN {
+      printf "{\"points\":["
+      for (i = 0; i < 110000; i++) {
+        t = i / 10
+        printf "%s[%.12f,%.12f", i ? "," : "", t + 0.3 * sin(i * i / 9), \
+          20 * sin(t)
+        printf "%s]", d == 3 ? sprintf(",%.12f", 9 * cos(t)) : ""
+      }
+      print "]}"
+    }' >in
+    peak kilobytes "$PHSPLINE" "$1" -q -j 1 in >out 2>err
+    held=$(($(cat kilobytes) * 1024 - 6000000)) bytes=$(wc -c <in)
+    true_that "memory for a JSON problem, $1: $((10 * held / bytes)) tenths" \
+      [ $((10 * held)) -le $((10 * $3 * bytes)) ]
+  }
+  heavy planar 2 9
+  heavy spatial-hermite 3 9
+  heavy tc 2 35
   # one problem, many results
   problem 1 >in
   light 'memory for a sweep of 200 000' 200000 \

@@ -228,15 +228,17 @@ static enum ph_status solve_by(struct ph_planar_c2 *c2, search *find,
                                struct ph_planar_report *report,
                                struct ph_diag *diag) {
   struct ph_planar_measure m = {0, HUGE_VAL, 0};
+  const struct ph_mark mark = ph_arena_mark(scratch);
   struct work w;
   enum ph_status status = work_init(&w, c2, scratch, b, diag);
-  bool solved;
-  if (status != PH_OK) {
-    return status;
+  if (status == PH_OK) {
+    bool solved;
+    report->iterations = 0;
+    solved = find(c2, &w, &report->iterations, &m);
+    status = conclude(c2, &w, solved, &m, b, report, diag);
   }
-  report->iterations = 0;
-  solved = find(c2, &w, &report->iterations, &m);
-  return conclude(c2, &w, solved, &m, b, report, diag);
+  ph_arena_release(scratch, mark);
+  return status;
 }
 
 enum ph_status ph_planar_c2_solve(struct ph_planar_c2 *c2,

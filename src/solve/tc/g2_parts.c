@@ -54,21 +54,48 @@ static struct ph_g2_apex *loops_of(const struct ph_g2_chain *chain,
   return apex;
 }
 
-/* What stands between the points of a chain, and its angles; with more points
- * if that fails. */
+/* A chain into other memory.  ret false: it is exhausted */
+static bool move_chain(struct ph_g2_chain *chain, struct ph_arena *arena) {
+  struct ph_g2_node *node = ph_arena_array(arena, chain->nodes_n, sizeof *node);
+  struct ph_g2_span *span = ph_arena_array(arena, chain->n, sizeof *span);
+  if (!node || !span) {
+    return false;
+  }
+  memcpy(node, chain->node, chain->nodes_n * sizeof *node);
+  memcpy(span, chain->span, chain->n * sizeof *span);
+  chain->node = node;
+  chain->span = span;
+  return true;
+}
+
+/* What stands between the points of a chain; what it takes to find that is
+ * gone after it. */
+static enum ph_status plan(struct ph_g2_chain *chain, double turns,
+                           bool may_add, struct ph_arena *arena,
+                           struct ph_diag *diag) {
+  struct ph_arena work = ph_arena_beside(arena);
+  enum ph_status status = ph_g2_plan(chain, turns, may_add, &work, diag);
+  if (status == PH_OK && !move_chain(chain, arena)) {
+    status = ph_fail_memory(diag);
+  }
+  ph_arena_free(&work);
+  return status;
+}
+
+/* The same, and the angles; with more points if that fails. */
 static enum ph_status plan_and_solve(struct ph_g2_chain *chain, bool may_add,
                                      enum ph_g2_rule rule,
                                      struct ph_arena *arena,
                                      struct ph_g2_solution *s,
                                      struct ph_diag *diag) {
   const struct ph_g2_chain given = *chain;
-  enum ph_status status = ph_g2_plan(chain, PH_G2_TURNS, may_add, arena, diag);
+  enum ph_status status = plan(chain, PH_G2_TURNS, may_add, arena, diag);
   if (status == PH_OK) {
     status = ph_g2_solve(chain, rule, arena, s, diag);
   }
   if (status == PH_E_NO_CONVERGENCE && may_add && !ph_arena_late(arena)) {
     *chain = given;
-    status = ph_g2_plan(chain, PH_G2_TURNS_SAFE, true, arena, diag);
+    status = plan(chain, PH_G2_TURNS_SAFE, true, arena, diag);
     if (status == PH_OK) {
       status = ph_g2_solve(chain, rule, arena, s, diag);
     }
@@ -76,34 +103,84 @@ static enum ph_status plan_and_solve(struct ph_g2_chain *chain, bool may_add,
   return status;
 }
 
+/* A chain with its solution, in memory of its own. */
+struct solved {
+  struct ph_g2_chain chain;
+  struct ph_g2_solution solution;
+  struct ph_arena arena;
+};
+
+/* Into `next`, the solution with points over the cubics of `last` that turn too
+ * much.  ret false: there are none, or (*status) memory is exhausted, or there
+ * is no solution */
+static bool lengthen(const struct solved *last, enum ph_g2_rule rule,
+                     struct solved *next, enum ph_status *status,
+                     struct ph_diag *diag) {
+  struct ph_diag why;
+  size_t n;
+  struct ph_g2_apex *apex =
+      loops_of(&last->chain, &last->solution, &next->arena, &n);
+  if (!apex) {
+    *status = ph_fail_memory(diag);
+    return false;
+  }
+  if (n == 0) {
+    return false;
+  }
+  next->solution = (struct ph_g2_solution){.iterations = 0};
+  *status = ph_g2_add(&last->chain, apex, n, &next->arena, &next->chain, diag);
+  if (*status != PH_OK || plan_and_solve(&next->chain, true, rule, &next->arena,
+                                         &next->solution, &why) != PH_OK) {
+    return false;
+  }
+  next->solution.iterations += last->solution.iterations;
+  return true;
+}
+
+/* What was found, into the caller's memory. */
+static enum ph_status hand_over(const struct solved *found,
+                                struct ph_arena *arena,
+                                struct ph_g2_chain *chain,
+                                struct ph_g2_solution *s,
+                                struct ph_diag *diag) {
+  const size_t n = found->chain.n;
+  double *angles = ph_arena_array(arena, n, 2 * sizeof *angles);
+  *chain = found->chain;
+  if (!angles || !move_chain(chain, arena)) {
+    return ph_fail_memory(diag);
+  }
+  memcpy(angles, found->solution.a, n * sizeof *angles);
+  memcpy(angles + n, found->solution.b, n * sizeof *angles);
+  *s = found->solution;
+  s->a = angles;
+  s->b = angles + n;
+  return PH_OK;
+}
+
 /* With points over cubics that turn too much, as long as there is a solution
- * with them. */
+ * with them.  Of all that is tried no more than two are in memory. */
 static enum ph_status find(struct ph_g2_chain *chain, bool may_add,
                            enum ph_g2_rule rule, struct ph_arena *arena,
                            struct ph_g2_solution *s, struct ph_diag *diag) {
-  enum ph_status status = plan_and_solve(chain, may_add, rule, arena, s, diag);
-  for (size_t round = 0; status == PH_OK && may_add && round < LOOPS_MAX;
+  struct solved tried[2] = {{.chain = *chain, .arena = ph_arena_beside(arena)},
+                            {.arena = ph_arena_beside(arena)}};
+  struct solved *last = &tried[0], *next = &tried[1];
+  enum ph_status status = plan_and_solve(&last->chain, may_add, rule,
+                                         &last->arena, &last->solution, diag);
+  chain->stuck = last->chain.stuck;
+  for (size_t round = 0; status == PH_OK && may_add && round < LOOPS_MAX &&
+                         lengthen(last, rule, next, &status, diag);
        round++) {
-    struct ph_g2_chain longer = *chain;
-    struct ph_g2_solution other = {.iterations = 0};
-    struct ph_diag why;
-    size_t n;
-    struct ph_g2_apex *apex = loops_of(chain, s, arena, &n);
-    if (!apex) {
-      return ph_fail_memory(diag);
-    }
-    if (n == 0) {
-      break;
-    }
-    status = ph_g2_add(chain, apex, n, arena, &longer, diag);
-    if (status != PH_OK ||
-        plan_and_solve(&longer, true, rule, arena, &other, &why) != PH_OK) {
-      break;
-    }
-    other.iterations += s->iterations;
-    *chain = longer;
-    *s = other;
+    struct solved *before = last;
+    last = next;
+    next = before;
+    ph_arena_reset(&next->arena);
   }
+  ph_arena_free(&next->arena);
+  if (status == PH_OK) {
+    status = hand_over(last, arena, chain, s, diag);
+  }
+  ph_arena_free(&last->arena);
   return status;
 }
 
@@ -376,6 +453,17 @@ static size_t behind(const struct search *s, size_t i) {
   return i >= s->start ? i - s->start : i + s->data->n - s->start;
 }
 
+/* How many parts there are by the marks. */
+static size_t count_parts(const struct search *s) {
+  const size_t n = s->data->n;
+  size_t parts = 0;
+  for (size_t i = 0; i < n; i++) {
+    const size_t k = around(s, s->start + i);
+    parts += i == 0 || s->mark[k] || s->mark[around(s, s->start + i - 1)];
+  }
+  return parts;
+}
+
 /* Parts by the marks; those that were there are taken over.  Those of closed
  * data begin with a pair, as the data may begin anywhere. */
 static enum ph_status cut(struct search *s, struct ph_g2_parts *parts) {
@@ -385,7 +473,7 @@ static enum ph_status cut(struct search *s, struct ph_g2_parts *parts) {
   while (s->data->closed && !s->mark[s->start]) {
     s->start++; /* one is marked */
   }
-  next.part = ph_arena_array(s->arena, n, sizeof *next.part);
+  next.part = ph_arena_array(s->arena, count_parts(s), sizeof *next.part);
   if (!next.part) {
     return ph_fail_memory(s->diag);
   }

@@ -535,32 +535,48 @@ static bool smooth_ends(struct system *s, const struct ph_arena *arena) {
   return (isnan(smooth[0]) && isnan(smooth[1])) || newton(s, NEWTON_MAX, arena);
 }
 
+/* The angles of the chain, from the system of its turns. */
+static enum ph_status solve_system(struct system *s, enum ph_g2_rule rule,
+                                   struct ph_arena *arena,
+                                   struct ph_g2_solution *solution,
+                                   struct ph_diag *diag) {
+  const struct ph_g2_chain *chain = s->chain;
+  begin(s);
+  if (!find(s, arena)) {
+    return ph_fail(diag, PH_E_NO_CONVERGENCE, "points",
+                   "have no curve that was found, by Newton's method and by "
+                   "continuation in the turns");
+  }
+  if (rule == PH_G2_SMOOTH && !smooth_ends(s, arena)) {
+    return ph_fail(diag, PH_E_NO_CONVERGENCE, "ends",
+                   "is smooth, for which no curve was found");
+  }
+  for (size_t i = 0; i < chain->n; i++) {
+    solution->a[i] = s->now.after[i];
+    solution->b[i] = s->now.before[ph_g2_next(chain, i)];
+  }
+  solution->iterations = s->iterations;
+  solution->residual = s->now.largest;
+  return PH_OK;
+}
+
 enum ph_status ph_g2_solve(const struct ph_g2_chain *chain,
                            enum ph_g2_rule rule, struct ph_arena *arena,
                            struct ph_g2_solution *solution,
                            struct ph_diag *diag) {
   struct system s = {
       .chain = chain, .h = 1, .smooth = {(double)NAN, (double)NAN}};
+  struct ph_mark mark;
+  enum ph_status status;
   solution->a = ph_arena_array(arena, chain->n, sizeof *solution->a);
   solution->b = ph_arena_array(arena, chain->n, sizeof *solution->b);
-  if (!solution->a || !solution->b || !alloc_system(&s, arena)) {
+  if (!solution->a || !solution->b) {
     return ph_fail_memory(diag);
   }
-  begin(&s);
-  if (!find(&s, arena)) {
-    return ph_fail(diag, PH_E_NO_CONVERGENCE, "points",
-                   "have no curve that was found, by Newton's method and by "
-                   "continuation in the turns");
-  }
-  if (rule == PH_G2_SMOOTH && !smooth_ends(&s, arena)) {
-    return ph_fail(diag, PH_E_NO_CONVERGENCE, "ends",
-                   "is smooth, for which no curve was found");
-  }
-  for (size_t i = 0; i < chain->n; i++) {
-    solution->a[i] = s.now.after[i];
-    solution->b[i] = s.now.before[ph_g2_next(chain, i)];
-  }
-  solution->iterations = s.iterations;
-  solution->residual = s.now.largest;
-  return PH_OK;
+  mark = ph_arena_mark(arena);
+  status = alloc_system(&s, arena)
+               ? solve_system(&s, rule, arena, solution, diag)
+               : ph_fail_memory(diag);
+  ph_arena_release(arena, mark);
+  return status;
 }
