@@ -301,7 +301,7 @@ static void look_between(struct look *look, const struct end *a,
   const double away = from_chord(look->place, a->r, b->r) -
                       look->tree->bend[look->k] * h * h / 8;
   struct end middle;
-  if (away >= look->base.limit || depth == HALVINGS_MAX) {
+  if (!(away < look->base.limit) || depth == HALVINGS_MAX) {
     return;
   }
   middle = end_at(look, 0.5 * (a->u + b->u));
@@ -324,6 +324,9 @@ double ph_check_nearer(struct ph_check_tree *tree, ph_vec3 place, size_t k,
   struct look look = {
       .base = search_of(tree, k, company), .tree = tree, .place = place};
   const double least = look.base.limit;
+  if (!(isfinite(place.x) && isfinite(place.y))) {
+    return (double)NAN;
+  }
   look.base.from =
       (struct ph_boxtree_node){{place.x, place.y}, {place.x, place.y}};
   look.base.visit = look_at;

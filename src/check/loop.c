@@ -24,7 +24,9 @@ static const double CLOSURE = 1e-12, ERROR = 1e-10, TURN = 1e-6;
 /* Above that, numbers are found again with more care: by halves, so many times
  * at most, that change them by no more than RATIO of it. */
 static const double FINE = 1e-12, RATIO = 0.1;
-enum { HALVINGS = 30 };
+/* Of a piece, one in another and in all: beside one place it is about one of
+ * two each time.  What is no number agrees with nothing. */
+enum { HALVINGS = 30, HALVINGS_ALL = 8 * HALVINGS };
 
 /* Where parts touch, they meet at such an angle, to either side. */
 static const double BEND = 1e-4;
@@ -216,7 +218,7 @@ static struct sums sums_of(const struct context *c,
  * stops there may be many. */
 static struct sums sums_by_halves(const struct context *c,
                                   const struct ph_check_piece *piece,
-                                  struct sums whole, int depth) {
+                                  struct sums whole, int depth, int *left) {
   const double most = RATIO * FINE * c->size;
   struct ph_check_piece half[2];
   struct sums part[2];
@@ -224,15 +226,21 @@ static struct sums sums_by_halves(const struct context *c,
   for (size_t i = 0; i < 2; i++) {
     part[i] = sums_of(c, &half[i]);
   }
-  if (depth > 0 &&
+  if (depth > 0 && --*left > 0 &&
       !(fabs(part[0].length + part[1].length - whole.length) <= most &&
         fabs(part[0].area + part[1].area - whole.area) <= most * c->size)) {
     for (size_t i = 0; i < 2; i++) {
-      part[i] = sums_by_halves(c, &half[i], part[i], depth - 1);
+      part[i] = sums_by_halves(c, &half[i], part[i], depth - 1, left);
     }
   }
   return (struct sums){part[0].length + part[1].length,
                        part[0].area + part[1].area};
+}
+
+static struct sums sums_of_halves(const struct context *c,
+                                  const struct ph_check_piece *piece) {
+  int left = HALVINGS_ALL;
+  return sums_by_halves(c, piece, sums_of(c, piece), HALVINGS, &left);
 }
 
 /* By the few nodes, where these give the length that is claimed; else by many,
@@ -252,9 +260,7 @@ static struct sums measure(const struct context *c,
     ph_check_piece_spots(&c->many[i], piece, &more);
     add_places(&c->many[i], &more, &sums);
   }
-  return fabs(sums.length - claimed) <= most
-             ? sums
-             : sums_by_halves(c, piece, sums_of(c, piece), HALVINGS);
+  return fabs(sums.length - claimed) <= most ? sums : sums_of_halves(c, piece);
 }
 
 /* By how much the tangent turns along a piece: between any two nodes by less
@@ -319,7 +325,7 @@ static double area_of(const struct context *c, const struct ph_loop *loop,
   double area = 0;
   for (size_t i = 0; i < loop->n; i++) {
     ph_check_piece_of(c->v, &loop->pieces[i], c->o->degree, &piece.p);
-    piece.sums = sums_by_halves(c, &piece.p, sums_of(c, &piece.p), HALVINGS);
+    piece.sums = sums_of_halves(c, &piece.p);
     area += area_from(&piece, from);
   }
   return area;

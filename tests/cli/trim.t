@@ -279,3 +279,17 @@ equal 'a length that is wrong' 1 "$status"
 sed 's/\("loops":.*"control_points":\[\[\)\([0-9.]*\)/\10/' record >bad
 run verify -q bad
 equal 'a point that is elsewhere' 1 "$status"
+
+# ---- areas that are no doubles ---------------------------------------------------
+
+# Parts of it touch; all loops were taken for thin then, and nothing was left.
+for unit in e180 e-180; do
+  feed "$(printf '{"points":[[64U,0],[48U,6U],[0,5U],[9U,10U],[0,6U],[0,0],
+[48U,15U],[5U,20U],[0,9U],[0,0],[9U,10U],[0,6U]]}' | sed "s/U/$unit/g" |
+    tr -d '\n')" planar --basis=atph --offset="1.5$unit" \
+    --offset-mode=trimmed --offset-ends=round
+  expect "an area beyond $unit" 1 "phspline: -:1: record 1: the area of the \
+offset at distance $(printf %g "1.5$unit") exceeds the range of a double \
+[too-large]
+phspline: 1 of 1 records failed"
+done

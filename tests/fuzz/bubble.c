@@ -14,6 +14,7 @@
 
 #include "curve/surface/places.h"
 #include "io/record.h"
+#include "io/value.h"
 
 enum { BUBBLE_MOST = 1000, BUBBLE_STEPS = 3 };
 

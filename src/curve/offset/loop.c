@@ -8,6 +8,8 @@
 #include "curve/segment/seg2.h"
 #include "kernel/quad.h"
 
+#include <float.h>
+#include <math.h>
 #include <string.h>
 
 /* Nodes that integrate A0 exactly of polynomials, to rounding of others. */
@@ -31,7 +33,8 @@ struct writer {
   ph_cplx from; /* the first place of the loop, at unit scale */
   struct ph_strand_eval eval;
   struct ph_quad rule;
-  bool memory; /* is exhausted */
+  double area, length; /* of the loop, at unit scale */
+  bool memory;         /* is exhausted */
 };
 
 /* ---- pieces ---------------------------------------------------------------
@@ -290,46 +293,58 @@ static void join_ends(struct ph_loop_piece *a, struct ph_loop_piece *b,
   }
 }
 
+static enum ph_status fail_range(const struct writer *w, const char *what,
+                                 enum ph_status status, struct ph_diag *diag) {
+  return ph_fail(diag, status, NULL,
+                 "the %soffset at distance %g exceeds the range of a double",
+                 what, w->offset->distance);
+}
+
 static enum ph_status write_loop(struct writer *w, const struct ph_chain *chain,
                                  struct ph_diag *diag) {
   struct ph_loop *loop = w->loop;
-  double area = 0, length = 0;
   enum ph_status status = PH_OK;
   *loop = (struct ph_loop){
       .closed = chain->closed, .area = (double)NAN, .parent = PH_NO_SEGMENT};
+  w->area = w->length = 0;
   w->room = 0;
   w->least = chain->n + ROOM;
   w->from = w->outline->spans[chain->first].end[0].o;
   for (size_t i = 0; status == PH_OK && i < chain->n; i++) {
     w->span = &w->outline->spans[chain->first + i];
     status = write_span(w, diag);
-    area += area_of(w);
-    length += fabs(w->span->length);
+    w->area += area_of(w);
+    w->length += fabs(w->span->length);
   }
   if (status != PH_OK || w->memory) {
     return status != PH_E_INFEASIBLE && status != PH_E_TOO_LARGE
                ? status
-               : ph_fail(diag, status, NULL,
-                         "the offset at distance %g exceeds the range of a "
-                         "double",
-                         w->offset->distance);
+               : fail_range(w, "", status, diag);
   }
   for (size_t i = 0; i + 1 < loop->n; i++) {
     join_ends(&loop->pieces[i], &loop->pieces[i + 1], w->offset->degree);
   }
   if (loop->closed) {
     join_ends(&loop->pieces[loop->n - 1], &loop->pieces[0], w->offset->degree);
-    loop->area = ldexp(area, 2 * w->strands->exponent);
+    loop->area = ldexp(w->area, 2 * w->strands->exponent);
   }
-  loop->length = ldexp(length, w->strands->exponent);
+  loop->length = ldexp(w->length, w->strands->exponent);
   return PH_OK;
+}
+
+static bool is_narrow(const struct writer *w) {
+  return fabs(w->area) <= THIN * w->strands->size * w->length;
 }
 
 /* Whether there is nothing within a loop: it is between parts that touch. */
 static bool is_thin(const struct writer *w) {
-  const double size = ldexp(w->strands->size, w->strands->exponent);
-  return w->loop->closed && w->outline->touches > 0 &&
-         fabs(w->loop->area) <= THIN * size * w->loop->length;
+  return w->loop->closed && w->outline->touches > 0 && is_narrow(w);
+}
+
+/* Whether the area is no double, though the points are. */
+static bool is_beyond(const struct writer *w) {
+  const double area = fabs(w->loop->area);
+  return w->loop->closed && (isinf(area) || (area < DBL_MIN && !is_narrow(w)));
 }
 
 /* All loops, their sums, and samples. */
@@ -354,6 +369,9 @@ static enum ph_status write_loops(struct writer *w,
     }
     if (status != PH_OK || is_thin(w)) {
       continue;
+    }
+    if (is_beyond(w)) {
+      return fail_range(w, "area of the ", PH_E_TOO_LARGE, diag);
     }
     loops->n++;
     offset->length += w->loop->length;
