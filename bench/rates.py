@@ -85,6 +85,15 @@ def given(points, lower=0.0, upper=0.0, r=None, **more):
     return problem
 
 
+def uneven(r, n, lower, upper, **more):
+    """Chords of .003 to 1 and lengths from lower to upper times them."""
+    points = [[0.0, 0.0, 0.0]]
+    for _ in range(n):
+        chord = 10 ** r.uniform(math.log10(.003), 0)
+        points.append(plus(points[-1], unit(gauss3(r)), chord))
+    return given(points, lower, upper, r, **more)
+
+
 def ribbon(r, n, off=0.0, noise=0.0, **more):
     """Directions of n sensors of a smooth curve and lengths between them."""
     w = [r.uniform(.5, 1.5) for _ in range(3)]
@@ -211,6 +220,8 @@ def families():
     add("arclength cable soft", "arclength", LONG,
         lambda r, n: given(smooth(r, n), 1.01, 1.03, r, length_sigma=.01),
         "all", "grows")
+    add("arclength uneven soft", "arclength", (3, 5, 7, 9),
+        lambda r, n: uneven(r, n, 1.005, 1.02, length_sigma=.01), "all")
     for off in (0, .001, .01, .2):
         add(f"arclength ribbon {off}", "arclength", SENSORS,
             lambda r, n, off=off: ribbon(r, n, off), "all", "grows")
@@ -306,8 +317,9 @@ def missed(family, rows, counts):
             growth = per_doubling(rows[0], rows[-1])
             good = growth <= GROWTH
         elif name == "node":
-            good = counts or all(1e6 * sum(row.times) / len(row.times) / row.size
-                       <= float(limit) for row in rows)
+            good = counts or all(
+                1e6 * sum(row.times) / len(row.times) / row.size
+                <= float(limit) for row in rows)
         else:
             good = all(max(row.times) <= float(limit) * median(row.times)
                        for row in rows)

@@ -136,6 +136,16 @@ mv out r
 run verify r
 expect 'a saddle: verified' 0
 
+# Where every start creeps, whole steps lead on.
+feed '{"points":[[0,0,0],[0.0058,0.004,-0.0039],[-0.0033,0.012,-0.0018],
+[-0.0055,0.0076,-0.0028],[-0.011,0.011,0.0093],[0.1877,0.3286,-0.0331],
+[-0.3404,0.8937,0.3554],[-0.3419,0.8803,0.3549]],"lengths":[0.0081,0.0125,0.0051,
+0.0138,0.3825,0.8722,0.0136],"length_sigma":0.01}' arclength
+equal 'starts that creep' 0 "$status"
+mv out r
+run verify r
+expect 'starts that creep: verified' 0
+
 # ---- what is not allowed -----------------------------------------------------
 
 # bad CODE FIELD MESSAGE PROBLEM

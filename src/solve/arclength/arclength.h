@@ -74,6 +74,14 @@ bool ph_arc_newton_solve(const struct ph_arc_system *system,
                          struct ph_arc_point *point);
 
 /*
+ * ph_arc_newton_plain: the same by whole steps alone, to whatever is stationary
+ * near p; where the search would creep they may lead there.
+ */
+bool ph_arc_newton_plain(const struct ph_arc_system *system,
+                         struct ph_arc_newton *work, size_t limit,
+                         struct ph_arc_point *p);
+
+/*
  * ph_arc_is_minimum: proves that a stationary point is a strict minimum but for
  * what leaves the equations as they are: the Hessian of the Lagrangian plus
  * rho J^T J, pinned, has a Cholesky factor for some rho, at least with a shift
@@ -363,7 +371,7 @@ struct ph_arc_request {
   bool rescue;   /* augmented Lagrangians where Newton's method alone leads
                   * nowhere */
   bool waves;    /* and random waves */
-  bool saddles;  /* what is stationary counts as found */
+  bool saddles;  /* whatever is stationary is looked for */
   const struct ph_arc_natural *natural; /* of a search before, of the same data,
                                          * refine and dim; NULL: it is found */
 };
@@ -388,6 +396,8 @@ struct ph_arc_search {
                                 * that where this is missed */
   struct ph_arc_point nearest; /* if none was found: the iterate whose rows
                                 * hold best */
+  struct ph_arc_found saddle;  /* and the first that is stationary */
+  bool has_saddle;
 };
 
 /* ph_arc_is_same: whether two values of F, of ours, are of one minimum. */

@@ -223,7 +223,9 @@ bool ph_arc_fit(const struct ph_arc_data *data, struct ph_arena *arena,
   }
   if (n == 0) { /* the curve that is nearest to one */
     search->found[n++] =
-        (struct ph_arc_found){search->nearest, search->starts_n - 1, 0};
+        search->has_saddle
+            ? search->saddle
+            : (struct ph_arc_found){search->nearest, search->starts_n - 1, 0};
   }
   search->found_n = 0;
   for (size_t i = 0; i < n; i++) {

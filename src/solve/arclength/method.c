@@ -315,22 +315,34 @@ static enum ph_status find(struct task *t) {
   return search_in(t, 4) ? PH_OK : ph_fail_memory(t->diag);
 }
 
+/* A curve that is stationary, in place of a minimum. */
+struct saddle {
+  struct ph_arc_search search;
+  bool left_plane;
+};
+
+static void settle_for(struct task *t, const struct saddle *saddle) {
+  t->search = saddle->search;
+  t->search.found[0] = saddle->search.saddle;
+  t->search.found_n = 1;
+  t->left_plane = saddle->left_plane;
+}
+
 /* Finds curves with as few segments in an interval as it takes: more of them
  * promise more than random waves.  Measured lengths always have an answer, at
  * worst a curve that was not proved to be a minimum. */
 static enum ph_status find_refined(struct task *t) {
+  size_t first = t->request.refine, passes = first == t->refine_last ? 1 : 2;
+  bool soft = is_soft(t) && !t->data.tangent_sigma;
+  struct saddle saddle = {.left_plane = false};
   struct ph_mark mark = ph_arena_mark(t->scratch);
-  size_t first = t->request.refine;
-  bool one = first == t->refine_last;
   enum ph_status status = PH_OK;
-  for (size_t pass = 0; pass < (is_soft(t) ? 3 : 2); pass++) {
-    t->request.saddles = pass == 2;
-    t->request.rescue = pass != 1;
-    t->request.waves = one || pass > 0;
-    if (one && pass == 1) {
-      continue;
-    }
+  for (size_t pass = 0; pass < passes; pass++) {
+    t->request.rescue = pass == 0;
+    t->request.waves = pass + 1 == passes;
     for (size_t r = first; r <= t->refine_last; r++) {
+      t->request.saddles =
+          soft && t->request.waves && !saddle.search.has_saddle;
       t->request.refine = r;
       t->left_plane = false;
       ph_arena_release(t->scratch, mark);
@@ -338,7 +350,14 @@ static enum ph_status find_refined(struct task *t) {
       if (status != PH_OK || t->search.found_n > 0) {
         return status;
       }
+      if (soft && t->search.has_saddle && !saddle.search.has_saddle) {
+        saddle = (struct saddle){t->search, t->left_plane};
+        mark = ph_arena_mark(t->scratch); /* it stays */
+      }
     }
+  }
+  if (saddle.search.has_saddle) {
+    settle_for(t, &saddle);
   }
   return status;
 }

@@ -409,6 +409,33 @@ bool ph_arc_newton_solve(const struct ph_arc_system *s,
   return p->converged;
 }
 
+bool ph_arc_newton_plain(const struct ph_arc_system *s,
+                         struct ph_arc_newton *work, size_t limit,
+                         struct ph_arc_point *p) {
+  struct state t = {.s = s, .w = work, .p = p, .before = (double)INFINITY};
+  p->converged = p->minimiser = false;
+  for (size_t i = 0; i < limit && !ph_arena_late(work->arena); i++) {
+    look(&t);
+    t.near = true;
+    if (!isfinite(p->f) || !find_step(&t) || t.shift > 0) {
+      return false;
+    }
+    for (size_t r = 0; r < s->y_n; r++) {
+      work->y[r] = p->y[r] + work->dy[r];
+    }
+    if (rows_hold(s, work->linear.c, p->y) && is_settled(&t)) {
+      finish(&t);
+      break;
+    }
+    ph_arc_retract(s, p->x, work->dx, 1, work->x[0]);
+    memcpy(p->x, work->x[0], s->x_n * sizeof *p->x);
+    memcpy(p->y, work->y, s->y_n * sizeof *p->y);
+    p->iterations++;
+  }
+  p->minimiser = p->converged && ph_arc_is_minimum(s, work, p->x, p->y);
+  return p->converged;
+}
+
 bool ph_arc_is_minimum(const struct ph_arc_system *s,
                        struct ph_arc_newton *work, const double *x,
                        const double *y) {

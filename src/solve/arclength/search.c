@@ -9,6 +9,10 @@
  * is better at what is far off; and of one that is near, or the last resort. */
 enum { STEPS_FIRST = 40, STEPS = 150, STEPS_AFTER = 300 };
 
+/* Whole steps from a curve that crept, whose rows hold to this. */
+enum { STEPS_WHOLE = 30 };
+static const double CREPT = 1e-4;
+
 /* Of all starts with one number of segments, no other is begun after. */
 enum { STEPS_ALL = 1500 };
 
@@ -98,6 +102,9 @@ struct engine {
   struct ph_arena *arena;
   struct ph_arc_newton work;
   struct ph_arc_point point;  /* of the current start */
+  struct ph_arc_point crept;  /* where it ended, before whole steps */
+  bool last;                  /* nothing is tried after its starts */
+  bool saddles;               /* what is stationary will do */
   struct ph_arc_system white; /* the same equations, rows whitened */
   struct ph_arc_work rough;   /* for what comes before Newton's method */
   double *rough_y;            /* [y_n] of the whitened rows; NULL: not yet */
@@ -107,7 +114,8 @@ static bool engine_of(const struct ph_arc_system *s, struct ph_arena *arena,
                       struct engine *e) {
   *e = (struct engine){.s = s, .arena = arena};
   return ph_arc_newton_alloc(s, arena, &e->work) &&
-         ph_arc_point_alloc(s, arena, &e->point);
+         ph_arc_point_alloc(s, arena, &e->point) &&
+         ph_arc_point_alloc(s, arena, &e->crept);
 }
 
 /* Whitened rows and an augmented Lagrangian, where they are needed. */
@@ -128,6 +136,21 @@ static void judge_white(struct engine *e) {
   if (p->converged && !p->minimiser && e->white.white) {
     ph_arc_whitened(&e->white, p->y, e->rough_y);
     p->minimiser = ph_arc_is_minimum(&e->white, &e->work, p->x, e->rough_y);
+  }
+}
+
+/* Where the search creeps along a valley there may be a minimum at its end,
+ * beyond what each single step may lose; another start, where there is one,
+ * leads as a rule to a lower one. */
+static void leave_valley(struct engine *e) {
+  struct ph_arc_point *p = &e->point;
+  if (!e->last || p->converged || !(p->residual <= CREPT)) {
+    return;
+  }
+  ph_arc_point_copy(e->s, p, &e->crept);
+  ph_arc_newton_plain(e->s, &e->work, STEPS_WHOLE, p);
+  if (!(p->minimiser || (p->converged && e->saddles))) {
+    ph_arc_point_copy(e->s, &e->crept, p);
   }
 }
 
@@ -153,6 +176,7 @@ static bool iterate(struct engine *e, double rho, size_t steps) {
     ph_arc_plain(&e->white, e->rough_y, p->y);
   }
   ph_arc_newton_solve(e->s, &e->work, steps, p);
+  leave_valley(e);
   if (rho > 0) {
     judge_white(e);
   }
@@ -347,12 +371,36 @@ static void begin(struct run *run, const struct kind *kind) {
   }
 }
 
+/* Keeps what a start led to; false: no memory. */
+static bool note(struct run *run, const char *name) {
+  struct ph_arc_search *search = run->search;
+  struct ph_arc_point *p = &run->engine.point;
+  size_t start = search->starts_n - 1;
+  if (p->converged && stands_still(&search->system, p->x)) {
+    p->converged = p->minimiser = false;
+    search->stood_still = true;
+  }
+  run->steps += p->iterations;
+  search->starts[start] =
+      (struct ph_start){name,
+                        p->minimiser   ? PH_OUTCOME_MINIMISER
+                        : p->converged ? PH_OUTCOME_SADDLE
+                                       : PH_OUTCOME_NO_SOLUTION,
+                        p->converged ? p->f : (double)NAN, p->iterations};
+  if (p->minimiser) {
+    return keep(run, start);
+  }
+  if (p->converged && !search->has_saddle) {
+    search->has_saddle = true;
+    search->saddle.start = start;
+    ph_arc_point_copy(&search->system, p, &search->saddle.point);
+  }
+  set_nearest(run);
+  return true;
+}
+
 /* Tries a start; false: no memory, or no time. */
 static bool try_start(struct run *run, const struct kind *kind) {
-  struct ph_arc_search *search = run->search;
-  const struct ph_arc_system *s = &search->system;
-  struct ph_arc_point *p = &run->engine.point;
-  struct ph_start *start = &search->starts[search->starts_n];
   size_t steps = kind->rho > 0                   ? STEPS_AFTER
                  : run->single || kind->wave > 0 ? STEPS
                                                  : STEPS_FIRST;
@@ -360,25 +408,8 @@ static bool try_start(struct run *run, const struct kind *kind) {
     return false;
   }
   begin(run, kind);
-  search->starts_n++;
-  if (!iterate(&run->engine, kind->rho, steps)) {
-    return false;
-  }
-  if (p->converged && stands_still(s, p->x)) {
-    p->converged = p->minimiser = false;
-    search->stood_still = true;
-  }
-  run->steps += p->iterations;
-  *start = (struct ph_start){kind->name,
-                             p->minimiser   ? PH_OUTCOME_MINIMISER
-                             : p->converged ? PH_OUTCOME_SADDLE
-                                            : PH_OUTCOME_NO_SOLUTION,
-                             p->converged ? p->f : (double)NAN, p->iterations};
-  if (p->minimiser || (p->converged && run->request->saddles)) {
-    return keep(run, search->starts_n - 1);
-  }
-  set_nearest(run);
-  return true;
+  run->search->starts_n++;
+  return iterate(&run->engine, kind->rho, steps) && note(run, kind->name);
 }
 
 /* ---- all starts ---------------------------------------------------------- */
@@ -449,7 +480,8 @@ static bool allocate(struct run *run) {
   run->init = ph_arena_array(run->arena, s->x_n, sizeof *run->init);
   return search->starts && search->found && run->init &&
          engine_of(s, run->arena, &run->engine) &&
-         ph_arc_point_alloc(s, run->arena, &search->nearest);
+         ph_arc_point_alloc(s, run->arena, &search->nearest) &&
+         ph_arc_point_alloc(s, run->arena, &search->saddle.point);
 }
 
 bool ph_arc_search_run(const struct ph_arc_request *request,
@@ -479,5 +511,10 @@ bool ph_arc_search_run(const struct ph_arc_request *request,
   }
   run.single = request->refine == 1 && d->length && !(d->sigma > 0) &&
                d->mode != PH_ARC_TANGENTS && request->dim > 1;
-  return allocate(&run) && ph_arc_start(s, arena, run.init) && try_kinds(&run);
+  if (!allocate(&run)) {
+    return false;
+  }
+  run.engine.last = request->waves;
+  run.engine.saddles = request->saddles;
+  return ph_arc_start(s, arena, run.init) && try_kinds(&run);
 }
