@@ -2,17 +2,21 @@
 /*
  * B-splines: knots that are those of Bezier pieces, at places of every piece
  * the curve or offset at equal parameters, or the piece of a loop, within their
- * error, which was measured at some places of each.
+ * error, which is looked for between these places, too.
  */
 #include "check/checks.h"
 #include "check/local.h"
 
 #include "kernel/bern.h"
+#include "kernel/golden.h"
 
 /* Places of a piece, more than a rational curve of degree 9 has coefficients;
- * degrees; what may be farther between places. */
+ * degrees. */
 enum { PLACES = 20, DEGREE_MAX = 15 };
-static const double BETWEEN = 1.25;
+
+/* The greatest distance is looked for between places, too (offset.c). */
+static const double CLOSELY = 1.001, NEARLY = 0.8;
+enum { STEPS = 24 };
 
 static bool wrong(struct ph_check *v, size_t i, const char *member,
                   const char *what) {
@@ -116,24 +120,55 @@ struct walk {
 };
 
 /* Piece i of a chain, in the segment that is loaded. */
-static void check_piece(struct walk *walk, const struct ph_spline *s,
-                        size_t chain, size_t i) {
-  struct ph_check *v = walk->v;
-  const double *of = v->curve->knots + walk->k, width = of[1] - of[0];
-  const double *knot = s->knots + 1 + s->degree * i;
-  const double from = (knot[0] - of[0]) / width;
-  const double to = (knot[s->degree] - of[0]) / width;
-  for (size_t place = 0; place <= PLACES; place++) {
-    const double x = (double)place / PLACES, u = from + x * (to - from);
-    const ph_vec3 found = point_of(v, s, i, x);
-    const struct ph_check_local at =
-        ph_check_local_at(&walk->path, u < 0   ? 0
-                                       : u > 1 ? 1
-                                               : u);
-    if (!isnan(at.point.x)) { /* else at rest: no direction */
-      compare(v, chain, found, at.point,
-              at.point_error + at.speed * v->knot / width +
-                  BETWEEN * ph_check_scaled(v, s->error));
+struct piece {
+  const struct walk *walk;
+  const struct ph_spline *s;
+  size_t chain, i;
+};
+
+/* The curve at x of a piece; NaN where it is at rest and has no direction. */
+static struct ph_check_local local_of(const struct piece *piece, double x) {
+  const double *of = piece->walk->v->curve->knots + piece->walk->k;
+  const double *knot = piece->s->knots + 1 + piece->s->degree * piece->i;
+  const double width = of[1] - of[0], from = (knot[0] - of[0]) / width;
+  const double to = (knot[piece->s->degree] - of[0]) / width;
+  const double u = from + x * (to - from);
+  return ph_check_local_at(&piece->walk->path, u < 0 ? 0 : u > 1 ? 1 : u);
+}
+
+static double less_at(const void *context, double x) {
+  const struct piece *piece = context;
+  const struct ph_check_local at = local_of(piece, x);
+  const ph_vec3 found = point_of(piece->walk->v, piece->s, piece->i, x);
+  return isnan(at.point.x) ? 0 : -ph_check_apart(found, at.point);
+}
+
+static void check_at(const struct piece *piece, double x) {
+  struct ph_check *v = piece->walk->v;
+  const double *of = v->curve->knots + piece->walk->k;
+  const struct ph_check_local at = local_of(piece, x);
+  if (!isnan(at.point.x)) {
+    compare(v, piece->chain, point_of(v, piece->s, piece->i, x), at.point,
+            at.point_error + at.speed * v->knot / (of[1] - of[0]) +
+                CLOSELY * ph_check_scaled(v, piece->s->error));
+  }
+}
+
+static void check_piece(const struct piece *piece) {
+  const double least =
+      NEARLY * ph_check_scaled(piece->walk->v, piece->s->error);
+  double error[PLACES + 1];
+  for (size_t i = 0; i <= PLACES; i++) {
+    check_at(piece, (double)i / PLACES);
+    error[i] = least > 0 ? -less_at(piece, (double)i / PLACES) : 0;
+  }
+  for (size_t i = 1; i < PLACES; i++) {
+    if (error[i] >= error[i - 1] && error[i] >= error[i + 1] &&
+        error[i] > least) {
+      struct ph_bracket b = {(double)(i - 1) / PLACES, (double)i / PLACES,
+                             (double)(i + 1) / PLACES, -error[i]};
+      ph_golden(less_at, piece, STEPS, &b);
+      check_at(piece, b.x);
     }
   }
 }
@@ -152,7 +187,7 @@ static void check_chain(struct walk *walk, const struct ph_spline *s,
     while (walk->k + 1 < n && !(middle < walk->v->curve->knots[walk->k + 1])) {
       ph_check_load(walk->v, ++walk->k, &walk->segment);
     }
-    check_piece(walk, s, chain, i);
+    check_piece(&(struct piece){walk, s, chain, i});
   }
 }
 

@@ -11,6 +11,7 @@
 #include "check/loop.h"
 
 #include "kernel/bern.h"
+#include "kernel/golden.h"
 
 #include <string.h>
 
@@ -18,8 +19,10 @@
  * a segment, between which a cusp is missed. */
 enum { PLACES = 20, DEGREE_MAX = 15, SEARCH = 32 };
 
-/* A piece may be farther away between the places where that was measured. */
-static const double BETWEEN = 1.25;
+/* Both who claims the greatest distance of a piece and who checks it look for
+ * it between places, where it is more than NEARLY that; in so many steps. */
+static const double CLOSELY = 1.001, NEARLY = 0.8;
+enum { STEPS = 24 };
 
 /* A cusp is printed to rounding of its parameter; slower changes of 1 - d kappa
  * are found less exactly.  What changes its sign there is the product of two
@@ -214,22 +217,60 @@ static size_t slow_places(const struct ph_check_segment *s, double u[SLOW]) {
 }
 
 /* Piece i at x in [0,1] of its interval. */
-static void check_bezier_at(struct context *c, size_t i, double x) {
-  struct ph_check *v = c->v;
+struct bezier {
+  struct context *c;
+  size_t i;
+};
+
+static double bezier_error(const struct bezier *piece, double x,
+                           double *allowed) {
+  struct context *c = piece->c;
   const struct ph_pieces *of = &c->o->pieces;
-  const double *in = of->interval + 2 * i;
+  const double *in = of->interval + 2 * piece->i;
   size_t n = of->degree + 1, d = of->dimension;
   double b[DEGREE_MAX + 1];
   struct ph_check_local at;
   ph_vec3 found;
   ph_bern_basis(of->degree, x, b);
   found = scaled(
-      v, ph_check_rational(b, n, d, of->control_points + n * d * i, NULL));
+      c->v,
+      ph_check_rational(b, n, d, of->control_points + n * d * piece->i, NULL));
   at = local_of(c, in[0] + x * (in[1] - in[0]), found);
-  ph_check_miss(v, PH_CHECK_OFFSET, ph_check_of("beziers", i, "control_points"),
-                ph_check_apart(found, at.point), v->scale.size,
-                at.point_error + BETWEEN * ph_check_scaled(v, of->error),
-                "are farther than they say");
+  *allowed = at.point_error + CLOSELY * ph_check_scaled(c->v, of->error);
+  return ph_check_apart(found, at.point);
+}
+
+static double check_bezier_at(const struct bezier *piece, double x) {
+  double allowed, error = bezier_error(piece, x, &allowed);
+  ph_check_miss(piece->c->v, PH_CHECK_OFFSET,
+                ph_check_of("beziers", piece->i, "control_points"), error,
+                piece->c->v->scale.size, allowed, "are farther than they say");
+  return error;
+}
+
+static double less_at(const void *piece, double x) {
+  double allowed;
+  return -bezier_error(piece, x, &allowed);
+}
+
+/* A piece at equal places, and between these where it is farther away than on
+ * both sides, and nearly as far as it may be. */
+static void check_bezier(const struct bezier *piece) {
+  const double least =
+      NEARLY * ph_check_scaled(piece->c->v, piece->c->o->pieces.error);
+  double error[PLACES + 1];
+  for (size_t i = 0; i <= PLACES; i++) {
+    error[i] = check_bezier_at(piece, (double)i / PLACES);
+  }
+  for (size_t i = 1; i < PLACES; i++) {
+    if (error[i] >= error[i - 1] && error[i] >= error[i + 1] &&
+        error[i] > least) {
+      struct ph_bracket b = {(double)(i - 1) / PLACES, (double)i / PLACES,
+                             (double)(i + 1) / PLACES, -error[i]};
+      ph_golden(less_at, piece, STEPS, &b);
+      check_bezier_at(piece, b.x);
+    }
+  }
 }
 
 /* Bezier pieces against the offset, within their error. */
@@ -242,18 +283,17 @@ static void check_beziers(struct context *c) {
       !are_whole(c, "beziers", of->n, of->segment, of->interval)) {
     return;
   }
-  for (size_t i = 0; i < of->n; i++) {
+  for (size_t i = 0; i < of->n && !ph_arena_late(v->scratch); i++) {
+    const struct bezier piece = {c, i};
     const double *in = of->interval + 2 * i;
     if (i == 0 || of->segment[i] != of->segment[i - 1]) {
       enter(c, of->segment[i]);
       slow_n = slow_places(&c->segment, slow);
     }
-    for (size_t place = 0; place <= PLACES; place++) {
-      check_bezier_at(c, i, (double)place / PLACES);
-    }
+    check_bezier(&piece);
     for (size_t place = 0; place < slow_n; place++) {
       if (slow[place] > in[0] && slow[place] < in[1]) {
-        check_bezier_at(c, i, (slow[place] - in[0]) / (in[1] - in[0]));
+        check_bezier_at(&piece, (slow[place] - in[0]) / (in[1] - in[0]));
       }
     }
   }

@@ -153,6 +153,14 @@ tampered '.offsets[0].segments[1].denominator[2] *= 1.0001' offset_error
 tampered '.offsets[0].beziers[1].control_points[2][0] += 1e-3' offset_error
 tampered '.samples[3].curvature += 1e-6' sample_error
 
+# Pieces are not farther away between the places where their distance is taken.
+good coarse "{\"points\":$points}" planar --basis=atph --offset=0.3 \
+  --tolerance=1e-3 --nurbs
+tampered '.offsets[0].error /= 1.1' offset_error
+tampered '.offsets[0].error /= 1.01' offset_error
+tampered '.nurbs[0].error /= 1.1' nurbs_error
+tampered '.nurbs[0].error /= 1.01' nurbs_error
+
 # ---- in space -------------------------------------------------------------------
 
 good spatial '{"points":[[0,0,0],[1,1,0],[2,0,1],[3,1,1]],

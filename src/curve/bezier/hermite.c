@@ -23,6 +23,12 @@ enum { CELLS = 32, STEPS = 40, DIPS = 2, SLOW = 3 * DIPS };
 /* What takes more of a segment is seen without that. */
 static const double SHORT = 0.25;
 
+/* The greatest distance of a piece is looked for where it is more than this
+ * part of what it may be, or of the greatest so far: from so many places on, by
+ * so many steps, which find it to 1e-8. */
+static const double NEARLY = 0.8;
+enum { PEAKS = 16, PEAK_STEPS = 24 };
+
 /* The exact curve at a parameter: position, derivatives by u.  In the plane,
  * z = 0. */
 struct jet {
@@ -189,6 +195,41 @@ static double error_of(const struct walk *walk, const ph_vec3 p[6], double u0,
   return worst;
 }
 
+/* A piece, and the distance at x, with the other sign. */
+struct peak {
+  const struct walk *walk;
+  const ph_vec3 *p;
+  double u0, u1;
+};
+
+static double less_at(const void *context, double x) {
+  const struct peak *peak = context;
+  return -error_at(peak->walk, peak->p, peak->u0, peak->u1, x);
+}
+
+/* The greatest distance of a piece from the exact curve, by golden section
+ * where it is no less than on both sides and near to the greatest that was
+ * seen. */
+static double peak_of(const struct walk *walk, const ph_vec3 p[6], double u0,
+                      double u1, double seen) {
+  const struct peak peak = {walk, p, u0, u1};
+  double error[PEAKS + 1] = {0};
+  for (size_t i = 1; i < PEAKS; i++) {
+    error[i] = error_at(walk, p, u0, u1, (double)i / PEAKS);
+    seen = error[i] <= seen ? seen : error[i];
+  }
+  for (size_t i = 1; i < PEAKS; i++) {
+    if (error[i] >= error[i - 1] && error[i] >= error[i + 1] &&
+        error[i] > NEARLY * seen) {
+      struct ph_bracket b = {(double)(i - 1) / PEAKS, (double)i / PEAKS,
+                             (double)(i + 1) / PEAKS, -error[i]};
+      ph_golden(less_at, &peak, PEAK_STEPS, &b);
+      seen = -b.value <= seen ? seen : -b.value;
+    }
+  }
+  return seen;
+}
+
 static enum ph_status found(struct walk *walk, double u0, double u1,
                             double error) {
   struct part *part = ph_arena_array(walk->arena, 1, sizeof *part);
@@ -226,6 +267,10 @@ static enum ph_status visit(struct walk *walk, const struct jet *a, double u0,
   enum ph_status status;
   bezier_of(a, b, u1 - u0, p);
   error = error_of(walk, p, u0, u1);
+  if (error <= walk->tolerance &&
+      error > NEARLY * fmin(walk->pieces->error, walk->tolerance)) {
+    error = peak_of(walk, p, u0, u1, error);
+  }
   if (error <= walk->tolerance) {
     return found(walk, u0, u1, error);
   }

@@ -23,9 +23,10 @@
  * in   normal     of the Euler-Rodrigues frame; of a planar curve E2, which is
  *                 to the left of travel
  * in   tolerance  greatest distance from the exact curve, in its unit
- * out  pieces     error is the greatest distance found, at seven points of each
- *                 piece and of offsets where the curve is slowest, between
- *                 points of equal parameter
+ * out  pieces     error is the greatest distance found between points of equal
+ *                 parameter: at seven of each piece and of offsets where the
+ *                 curve is slowest, and by search where that is near to the
+ *                 greatest
  * ret  PH_OK | PH_E_NO_CONVERGENCE, PH_E_TOO_LARGE (name the segment) |
  *      PH_E_NO_MEMORY
  */
