@@ -16,12 +16,19 @@ static const double REPEATED = 1e-14;
 static const double REPEATED_VECTOR = 1e-9;
 
 double ph_fields_largest(const double *v, size_t n) {
-  double largest = 0;
-  for (size_t i = 0; i < n; i++) {
-    double x = fabs(v[i]);
-    largest = x > largest ? x : largest;
+  double largest[4] = {0, 0, 0, 0}; /* none of which waits for another */
+  size_t i = 0;
+  for (; i + 4 <= n; i += 4) {
+    for (size_t k = 0; k < 4; k++) {
+      const double x = fabs(v[i + k]);
+      largest[k] = x > largest[k] ? x : largest[k];
+    }
   }
-  return largest;
+  for (; i < n; i++) {
+    const double x = fabs(v[i]);
+    largest[0] = x > largest[0] ? x : largest[0];
+  }
+  return fmax(fmax(largest[0], largest[1]), fmax(largest[2], largest[3]));
 }
 
 int ph_fields_exponent(double size) {

@@ -299,11 +299,14 @@ static double cosine_before(const struct ph_planar_c2 *c2, size_t i) {
 }
 
 static bool turns_sharply(const struct ph_planar_c2 *c2) {
-  size_t n = ph_planar_unknowns(c2), i = c2->closed ? 0 : 1;
-  while (i < n && !(cosine_before(c2, i) < 0)) {
-    i++;
+  const ph_cplx *u = c2->direction;
+  bool sharp =
+      c2->closed ? cosine_before(c2, 0) < 0
+                 : cosine_before(c2, 1) < 0 || cosine_before(c2, c2->n + 1) < 0;
+  for (size_t k = 1; k < c2->n && !sharp; k++) {
+    sharp = ph_cplx_dot(u[k - 1], u[k]) < 0;
   }
-  return i < n;
+  return sharp;
 }
 
 static int sharper(const void *left, const void *right) {

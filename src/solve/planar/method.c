@@ -74,14 +74,15 @@ static bool is_same(double a, double b) {
 
 /* How many points the data turn back at, and the first. */
 static size_t reversals(const struct ph_planar_data *d, size_t *first) {
+  const ph_cplx *u = d->c2.direction;
+  ph_cplx before = u[d->closed ? d->n - 1 : 0];
   size_t found = 0;
-  for (size_t k = d->closed ? 0 : 1; k < d->n; k++) {
-    ph_cplx before = d->c2.direction[k > 0 ? k - 1 : d->n - 1];
-    ph_cplx after = d->c2.direction[k];
-    if (ph_cplx_dot(before, after) < 0 &&
-        fabs(ph_cplx_cross(before, after)) <= REVERSAL && found++ == 0) {
+  for (size_t k = 0; k < d->n; k++) {
+    if (ph_cplx_dot(before, u[k]) < 0 &&
+        fabs(ph_cplx_cross(before, u[k])) <= REVERSAL && found++ == 0) {
       *first = k;
     }
+    before = u[k];
   }
   return found;
 }

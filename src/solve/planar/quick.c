@@ -128,7 +128,9 @@ static ph_cplx beyond(const struct quick *q, ph_cplx end, ph_cplx x,
                        : ph_cplx_of(2 * end.re - x.re, 2 * end.im - x.im);
 }
 
-static void start(struct quick *q) {
+/* Whether the start is likely too rough for the steps (3): what remains of the
+ * equations is about twice the last term of the series, relative to b. */
+static bool start(struct quick *q) {
   const struct ph_planar_c2 *c2 = q->c2;
   const size_t n = c2->n;
   const ph_cplx *r = q->work, zero = {0, 0};
@@ -137,12 +139,14 @@ static void start(struct quick *q) {
   const ph_cplx low = spread(c2, 0, first, r[0], r[1]);
   const ph_cplx high = spread(c2, n - 1, r[n - 2], r[n - 1], last);
   ph_cplx before = beyond(q, zero, low, high), here = low;
+  bool rough = false;
   for (size_t k = 0; k < n; k++) {
     const ph_cplx after = k + 2 < n
                               ? spread(c2, k + 1, r[k], r[k + 1], r[k + 2])
                           : k + 1 < n ? high
                                       : beyond(q, zero, high, low);
     const ph_cplx again = spread(c2, k, before, here, after);
+    rough |= ph_cplx_norm2(again) > 0.25 * NEAR * NEAR * ph_cplx_norm2(r[k]);
     q->b[k].re = r[k].re - here.re + again.re;
     q->b[k].im = r[k].im - here.im + again.im;
     before = here;
@@ -152,13 +156,14 @@ static void start(struct quick *q) {
     q->b[-1] = beyond(q, q->root[0], q->b[0], zero);
     q->b[n] = beyond(q, q->root[1], q->b[n - 1], zero);
   }
+  return rough;
 }
 
 /* ---- steps --------------------------------------------------------------- */
 
-/* a / b */
-static inline ph_cplx over(double scale, ph_cplx a, ph_cplx b) {
-  const double part = scale / ph_cplx_norm2(b);
+/* times a / (per b) */
+static inline ph_cplx over(double times, ph_cplx a, double per, ph_cplx b) {
+  const double part = times / (per * ph_cplx_norm2(b));
   return ph_cplx_of(part * (a.re * b.re + a.im * b.im),
                     part * (a.im * b.re - a.re * b.im));
 }
@@ -203,7 +208,7 @@ static struct row eliminate(struct quick *q, size_t from, size_t to,
     w[2] = ph_planar_at_knot(high, w[1], after);
     f = ph_planar_closing(c2, k, w);
     measure(m, k, f);
-    r = over(1.5 / c2->ratio[k], f, w[1]);
+    r = over(1.5, f, c2->ratio[k], w[1]);
     if (factors) {
       q->inverse[k] = 1 / (2 - low + high - low * above.up);
     }
@@ -224,7 +229,7 @@ static ph_cplx end_side(const struct quick *q, int side, ph_cplx a, ph_cplx b,
   const ph_cplx f =
       ph_cplx_sub(ph_cplx_mul(w, w), ph_cplx_scale(size, c2->end[side]));
   measure(m, side ? c2->n - 1 : 0, ph_cplx_scale(1 / size, f));
-  return over(1, f, w);
+  return over(1, f, 1, w);
 }
 
 /* b - s, from the last row up, beyond which s is x. */
@@ -274,19 +279,22 @@ static void finish(struct quick *q, ph_cplx x) {
   }
 }
 
-/* Steps from the start, of the measure *m. */
+/* Steps (3) from the start, of the measure *m; x is of the first one, if that
+ * is prepared. */
 static enum ph_planar_quick iterate(struct quick *q, const ph_cplx *b,
                                     const struct ph_arena *clock, double solved,
-                                    ph_cplx x, size_t *iterations,
+                                    bool prepared, ph_cplx x,
+                                    size_t *iterations,
                                     struct ph_planar_measure *m) {
-  bool prepared = true;
+  bool factors = !prepared;
   for (int i = 0; i < STEPS && !ph_arena_late(clock); i++) {
     struct ph_planar_measure last = *m;
     if (last.max2 <= solved * solved) {
       return PH_PLANAR_QUICK_SOLVED;
     }
     if (!prepared) {
-      prepare(q, false, &x);
+      prepare(q, factors, &x);
+      factors = false;
     }
     finish(q, x);
     ++*iterations;
@@ -309,17 +317,18 @@ ph_planar_c2_quick(struct ph_planar_c2 *c2, const struct ph_arena *clock,
                     .b = c2->closed ? b : b + 1,
                     .work = work,
                     .inverse = inverse};
-  ph_cplx x;
+  ph_cplx x = {0, 0};
+  bool rough;
   if (!find_roots(&q)) {
     return PH_PLANAR_QUICK_NONE;
   }
-  start(&q);
+  rough = start(&q);
   if (c2->closed) {
     c2->twist = ph_cplx_of(q.twist, 0);
   }
-  *m = prepare(&q, true, &x);
+  *m = rough ? ph_planar_residual(c2, b) : prepare(&q, true, &x);
   return !(m->max2 <= FAR * FAR) ? PH_PLANAR_QUICK_NONE
          : !(m->max2 <= NEAR * NEAR)
              ? PH_PLANAR_QUICK_NEAR
-             : iterate(&q, b, clock, solved, x, iterations, m);
+             : iterate(&q, b, clock, solved, !rough, x, iterations, m);
 }
