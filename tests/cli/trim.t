@@ -45,6 +45,27 @@ expect 'on a sphere' 1 "phspline: -:1: record 1: only curves in the plane have \
 joined and trimmed offsets; --offset-mode=raw is for all [bad-value]
 phspline: 1 of 1 records failed"
 
+for option in join=miter sides=both touching=keep; do
+  refused "$option without loops" \
+    "--offset-${option%=*} needs --offset-mode=joined or trimmed" \
+    --offset=1 --offset-$option
+done
+
+for mode in joined trimmed; do
+  feed "$plate" tc --offset=1e-14 --offset-mode=$mode
+  expect "$mode: too small" 1 "phspline: -:1: record 1: the distance 1e-14 of a \
+joined or trimmed offset is too small beside the size of the curve [bad-value]
+phspline: 1 of 1 records failed"
+  for d in 1e160 1e308; do
+    feed "$plate" tc --offset=-$d --offset-mode=$mode
+    expect "$mode: too large, $d" 1 "phspline: -:1: record 1: the area of \
+the offset at distance -1e+${d#1e} exceeds the range of a double [too-large]
+phspline: 1 of 1 records failed"
+  done
+  feed "$plate" tc -q --offset=-1e150 --offset-mode=$mode
+  equal "$mode: large" 0 "$status"
+done
+
 # ---- joins ---------------------------------------------------------------------
 
 
@@ -279,6 +300,33 @@ equal 'a length that is wrong' 1 "$status"
 sed 's/\("loops":.*"control_points":\[\[\)\([0-9.]*\)/\10/' record >bad
 run verify -q bad
 equal 'a point that is elsewhere' 1 "$status"
+
+# false_that NAME MESSAGE FIELD CHANGE: what verify says of the record, changed by jq
+if command -v jq >/dev/null; then
+  false_that() {
+    jq -c "$4" record >bad
+    run verify bad
+    equal "$1: status" 1 "$status"
+    equal "$1" "offsets[0].loops[N].$3: $2" \
+      "$(sed -n 's/phspline: bad:1: record 1: \(.*\) \(by \|(\)[0-9i].*/\1/p' err |
+        sed 's/ by .*//; s/loops.[01]/loops[N/' | head -n 1)"
+  }
+  loop='.offsets[0].loops[0]'
+  false_that 'a gap' 'do not begin where the one before ends' pieces \
+    "$loop.pieces[1].control_points[0][0] += 1e-6"
+  false_that 'a place' 'are not at the distance from the curve' pieces \
+    "$loop.pieces[1].control_points[2][1] += 1e-4"
+  false_that 'the distance' 'are not at the distance from the curve' pieces \
+    '.offsets[0].distance += 1e-4'
+  false_that 'a length' 'is not that of its pieces' length "$loop.length += 1e-7"
+  false_that 'an area' 'is not what its pieces are around' area \
+    "$loop.area += 1e-5 | .offsets[0].area += 1e-5"
+  false_that 'twice round' 'do not turn once to one side' pieces \
+    "$loop.pieces += $loop.pieces | $loop.length *= 2 | $loop.area *= 2 |
+      .offsets[0].length += $loop.length / 2 | .offsets[0].area += $loop.area / 2"
+else
+  echo 'skip what verify says of loops: no jq'
+fi
 
 # ---- areas that are no doubles ---------------------------------------------------
 

@@ -228,6 +228,11 @@ static void circle(struct maker *m, size_t k, bool end) {
   }
 }
 
+/* Whether what is of such a size has an area, with room for its parts. */
+static bool has_area(double size) {
+  return isfinite(256 * size * size);
+}
+
 enum ph_status ph_strands_of(const struct ph_curve *curve, double distance,
                              const struct ph_offset_rules *rules, bool crosses,
                              struct ph_arena *arena, struct ph_strands *strands,
@@ -252,6 +257,13 @@ enum ph_status ph_strands_of(const struct ph_curve *curve, double distance,
     return ph_fail(diag, PH_E_BAD_VALUE, NULL,
                    "the distance %g of a joined or trimmed offset is too small "
                    "beside the size of the curve",
+                   distance);
+  }
+  if (!has_area(strands->size) ||
+      !has_area(ldexp(strands->size, strands->exponent))) {
+    return ph_fail(diag, PH_E_TOO_LARGE, NULL,
+                   "the area of the offset at distance %g exceeds the range "
+                   "of a double",
                    distance);
   }
   strands->v =

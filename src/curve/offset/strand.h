@@ -69,6 +69,7 @@ struct ph_strands {
  * in   crosses  the curve meets itself: of an offset to one side that is to be
  *               trimmed, the other side bounds it
  * ret  PH_OK | PH_E_BAD_VALUE (the distance is nothing beside the size) |
+ *      PH_E_TOO_LARGE (its square exceeds the range of a double) |
  *      PH_E_NO_MEMORY
  */
 enum ph_status ph_strands_of(const struct ph_curve *curve, double distance,

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * What is told of trimmed offsets that are not found: no curve is known that
- * leads there, so that something is withheld from what looks at them.  The one
- * failure that a curve leads to is in tests/cli/trim.t.
+ * What is told of trimmed offsets that are not found, or not certified:
+ * something is withheld from what looks at them, or changed.  Failures that a
+ * curve leads to are in tests/cli/trim.t.
  */
 #include "curve_unit.h"
 #include "tc_curve_unit.h"
@@ -71,22 +71,79 @@ PH_TEST(test_open) {
                    "(0, 0.25) it does not close");
 }
 
-/* A loop that is not what it claims. */
+/* A ring of four lines, whose corners are round outside. */
+static void ring(void) {
+  unit_cubics_begin(&c, ph_cplx_of(0, 0));
+  add_line(ph_cplx_of(3, 0));
+  add_line(ph_cplx_of(0, 2));
+  add_line(ph_cplx_of(-3, 0));
+  add_line(ph_cplx_of(0, -2));
+  c.curve.closed = true;
+}
+
+/* Ways in which a loop is not what it claims. */
+static void open_it(struct ph_offset *o) {
+  o->loops.v[0].pieces[1].control_points[0] += 1e-10;
+}
+
+static void move_it(struct ph_offset *o) {
+  o->loops.v[0].pieces[0].control_points[3] += 1e-3;
+}
+
+static void lengthen(struct ph_offset *o) {
+  o->loops.v[0].length += 1e-7;
+  o->length += 1e-7;
+}
+
+static void widen(struct ph_offset *o) {
+  o->loops.v[0].area += 1e-7;
+  o->loops.area += 1e-7;
+}
+
+/* Round the ring twice. */
+static void go_round(struct ph_offset *o) {
+  struct ph_loop *loop = &o->loops.v[0];
+  struct ph_loop_piece *twice =
+      ph_arena_array(&unit_arena, 2 * loop->n, sizeof *twice);
+  ck_assert_ptr_nonnull(twice);
+  for (size_t i = 0; i < 2 * loop->n; i++) {
+    twice[i] = loop->pieces[i % loop->n];
+  }
+  loop->pieces = twice;
+  loop->n *= 2;
+  loop->length *= 2;
+  loop->area *= 2;
+  o->length *= 2;
+  o->loops.area *= 2;
+}
+
 PH_TEST(test_certificate) {
-  struct ph_offset offset = {.distance = 0.25, .dimension = 2};
-  struct ph_arena scratch = {.chunks = NULL};
-  hook();
-  ck_assert_int_eq(ph_loops_of(&c.curve, &trimmed, &unit_arena, &offset, &diag),
-                   PH_OK);
-  ck_assert_int_eq(ph_certify_loops(&c.curve, &offset, 1, &scratch, &diag),
-                   PH_OK);
-  ck_assert(offset.loops.trimming.certified);
-  offset.loops.v[0].pieces[0].control_points[1] += 1e-3;
-  ck_assert_int_eq(ph_certify_loops(&c.curve, &offset, 1, &scratch, &diag),
-                   PH_E_NO_CONVERGENCE);
-  ck_assert_msg(strstr(diag.message, "the trimmed offset at distance 0.25 is "
-                                     "not certified: the error of distance of "
-                                     "its loop 0 from "),
-                "%s", diag.message);
-  ph_arena_free(&scratch);
+  static const struct {
+    const char *what;
+    void (*change)(struct ph_offset *o);
+  } cases[] = {{"closure", open_it},
+               {"distance", move_it},
+               {"length", lengthen},
+               {"area", widen},
+               {"turn", go_round}};
+  for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    struct ph_offset offset = {.distance = -0.25, .dimension = 2};
+    struct ph_arena scratch = {.chunks = NULL};
+    char wanted[128];
+    ring();
+    ck_assert_int_eq(
+        ph_loops_of(&c.curve, &trimmed, &unit_arena, &offset, &diag), PH_OK);
+    ck_assert_int_eq(ph_certify_loops(&c.curve, &offset, 1, &scratch, &diag),
+                     PH_OK);
+    ck_assert(offset.loops.trimming.certified);
+    cases[i].change(&offset);
+    ck_assert_int_eq(ph_certify_loops(&c.curve, &offset, 1, &scratch, &diag),
+                     PH_E_NO_CONVERGENCE);
+    snprintf(wanted, sizeof wanted,
+             "the trimmed offset at distance -0.25 is not certified: the error "
+             "of %s of its loop 0 from ",
+             cases[i].what);
+    ck_assert_msg(strstr(diag.message, wanted), "%s", diag.message);
+    ph_arena_free(&scratch);
+  }
 }
