@@ -22,7 +22,8 @@
 #include "problem.h"
 
 enum {
-  ARCLENGTH_POINTS_MAX = 12, /* a start that fails takes hundreds of steps */
+  ARCLENGTH_POINTS_MAX = 6, /* where all starts fail these are thousands of
+                             * steps, each of so many points */
   ARCLENGTH_STEPS_MAX = 20000
 };
 

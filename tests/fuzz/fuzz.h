@@ -22,7 +22,7 @@
  * inputs elsewhere, as valgrind does, has no limit. */
 #ifndef FUZZ_ENTRY
 #define FUZZ_ENTRY(name) LLVMFuzzerTestOneInput
-#define FUZZ_SECONDS 2
+#define FUZZ_SECONDS 3
 #else
 #define FUZZ_SECONDS 1e9
 #endif
