@@ -384,7 +384,8 @@ static enum ph_status write_loops(struct writer *w,
   return status;
 }
 
-/* The raw offsets to both sides, for what is asked of places of pieces. */
+/* The raw offsets to both sides, for what is asked of places of pieces; where
+ * none goes against the curve, without the cusps of the other side. */
 static enum ph_status find_sides(const struct ph_curve *curve, double distance,
                                  struct ph_arena *arena,
                                  struct ph_offset *offset,
@@ -395,7 +396,9 @@ static enum ph_status find_sides(const struct ph_curve *curve, double distance,
   for (size_t i = 0; status == PH_OK && i < 2; i++) {
     const double d = i ? 0 - distance : distance;
     sides[i] = (struct ph_offset){.distance = d, .dimension = 2};
-    status = ph_cusps_of(curve, d, PH_E2, arena, &sides[i].cusps, diag);
+    if (i == 0 || offset->loops.both) {
+      status = ph_cusps_of(curve, d, PH_E2, arena, &sides[i].cusps, diag);
+    }
   }
   return status;
 }
@@ -422,7 +425,8 @@ enum ph_status ph_loops_of(const struct ph_curve *curve,
   offset->degree = 2 * w.degree - 1;
   offset->loops = (struct ph_loops){
       .mode = rules->mode == PH_OFFSET_JOINED ? "joined" : "trimmed",
-      .join = rules->miter > 0 ? "miter" : "round"};
+      .join = rules->miter > 0 ? "miter" : "round",
+      .both = strands.both};
   if (status == PH_OK) {
     status = ph_outline_of(&strands, rules, open, &outline, diag);
   }
@@ -431,7 +435,6 @@ enum ph_status ph_loops_of(const struct ph_curve *curve,
                         offset, diag);
   }
   if (status == PH_OK) {
-    offset->loops.both = strands.both;
     offset->loops.trimming = (struct ph_trimming){
         .crossings = outline.crossings,
         .touches = outline.touches,
