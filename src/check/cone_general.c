@@ -84,7 +84,7 @@ double ph_check_general_integral(const struct ph_check_general *g,
 
 /* phi at u: places are asked for in order, as a rule. */
 static double phi_at(struct ph_check_general *g, double u) {
-  g->phi += ph_check_general_integral(g, rate_at, UNIT, g->u, u);
+  g->phi += ph_check_general_integral(g, rate_at, 0, g->u, u);
   g->u = u;
   return g->phi;
 }

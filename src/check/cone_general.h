@@ -62,7 +62,10 @@ struct ph_check_general_seen
 ph_check_general_place_at(const struct ph_check_general *g, double u);
 
 /* ph_check_general_integral: of a function of u, whose context is g, over
- * [from,to]. */
+ * [from,to], to 1e-13 of it.  tolerance: what may be missed besides, for each 1
+ * of u, or 0: of areas a part of theirs; of the turn, which is held against pi
+ * and is rounding where it is small, a part of the radian.  Angles of rulings
+ * are as small as vertices are far, and have none. */
 double ph_check_general_integral(const struct ph_check_general *g,
                                  ph_check_integrand *f, double tolerance,
                                  double from, double to);

@@ -328,10 +328,9 @@ static size_t load(void *context, size_t i) {
   ph_check_general_load(sheet->g, i);
   for (size_t j = 0; j <= RULINGS; j++) {
     const double u = (double)j / RULINGS, before = u - 1.0 / RULINGS;
-    sheet->phi[j] =
-        j ? sheet->phi[j - 1] +
-                ph_check_general_integral(sheet->g, rate_at, UNIT, before, u)
-          : 0;
+    sheet->phi[j] = j ? sheet->phi[j - 1] + ph_check_general_integral(
+                                                sheet->g, rate_at, 0, before, u)
+                      : 0;
   }
   return RULINGS;
 }

@@ -405,3 +405,13 @@ accepted cone 'beside a directrix that turns quickly' \
 -0.39103950455544445,0.021841934952680525]],"method":"atph","apexes":[-2.31,
 6.083829027547787]}
 EOF
+# Angles of rulings are relative to themselves, however far the vertices are.
+accepted cone 'vertices a million million times as far as the points' <<'EOF'
+{"points":[[0,0,0],[3000,333.33333333333331,0]],"alpha":0.4,"method":"atph",
+"tangents":[[0.28,0.96,0],[0.8,0.6,0]],"tangent_scale":"unit",
+"rulings":[[0,0,1],[0,0,1]],"apexes":[-3e15,-6e15]}
+EOF
+jq -c '.strips[0].development_angle *= 1.00000001' any.result >bad
+run verify -q bad
+equal 'an angle of 1e-12 that is off by 1e-8 of it' \
+  '1 "strips[0].development_angle"' "$status $(get error.field)"

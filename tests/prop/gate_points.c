@@ -6,6 +6,8 @@
  */
 #include "gate.h"
 
+#include <float.h>
+
 static const double PI = 3.14159265358979323846;
 
 enum family {
@@ -167,7 +169,8 @@ void gate_place(struct unit_random *r, size_t n, size_t dimension, double *v) {
   }
   for (size_t k = 0; k < n; k++) {
     for (size_t i = 0; i < dimension; i++) {
-      v[dimension * k + i] = scale * (v[dimension * k + i] + far[i]);
+      const double x = scale * (v[dimension * k + i] + far[i]);
+      v[dimension * k + i] = fmax(-DBL_MAX, fmin(x, DBL_MAX));
     }
   }
 }

@@ -65,10 +65,13 @@ struct elements {
   double p[3 * ELEMENTS], e[3 * ELEMENTS], d[3 * ELEMENTS];
 };
 
+/* A tangent along its ruling stays there: it is for the program to say so. */
 static void set_frame(struct elements *s, size_t i, ph_vec3 e, ph_vec3 d) {
+  ph_vec3 across;
   e = ph_vec3_unit(e);
+  across = ph_vec3_normal(d, e);
   put(s->e, i, e);
-  put(s->d, i, ph_vec3_unit(ph_vec3_normal(d, e)));
+  put(s->d, i, ph_vec3_abs(across) > 0 ? ph_vec3_unit(across) : d);
 }
 
 static void scatter(struct unit_random *r, struct elements *s) {
