@@ -184,6 +184,30 @@ same 'in space, a sweep' 1 -S shape=true,false -S tension=0.5,1 some-space.jsonl
 same 'in space, offsets and Bezier pieces' 1 -d 0.1,-0.2 --convert=bezier \
   --tolerance=1e-5 some-space.jsonl
 same 'in space, a table' 1 -f csv --strict some-space.jsonl
+# Curves whose segments several threads look for; of the second the first of two
+# segments without angles is told, of the third all that lack the shape are
+# counted, and the last asks for memory for each.
+awk 'BEGIN {
+  n = 2800
+  for (i = 1; i <= 4; i++) {
+    printf "{\"id\":%d,\"points\":[", i
+    m = i < 4 ? n : 12
+    for (k = 0; k < m; k++)
+      printf "%s[%d,%.3f,%.3f]", k ? "," : "", k, sin(k * k / 7), cos(k / 5)
+    printf "]"
+    if (i == 2) {
+      printf ",\"angles\":[0,0],\"axis\":\"x\",\"tangents\":["
+      for (k = 0; k < m; k++)
+        printf "%s[%s,0,0]", k ? "," : "", (k % 500 == 0 && k >= 2500 ? "-1" : "1")
+      printf "]"
+    }
+    print (i == 3 ? ",\"basis\":\"atph\",\"alpha\":1,\"criterion\":\"cc\"" : \
+      i == 4 ? ",\"criterion\":\"F1\"" : "") "}"
+  }
+}' >long-space.jsonl
+same 'in space, long' 1 -d 0.01 long-space.jsonl
+true_that 'in space, long: the first failure is told' \
+  grep -q 'record 2: segments\[2499\]: has no angles' err
 
 # ---- points on a sphere ------------------------------------------------------
 

@@ -10,6 +10,7 @@
 #include "solve/method.h"
 
 #include "base/sum.h"
+#include "base/team.h"
 #include "curve/segment/seg3.h"
 #include "solve/common/fields.h"
 #include "solve/common/frame.h"
@@ -30,6 +31,11 @@ static const double MINIMUM = 1e-7;
  * each: beyond the first the search at another tension begins with what was
  * found at the last one, beyond the second there is none. */
 enum { WORK_WHOLE = 75000, WORK_MOST = 100000 };
+
+/* Segments that are held together, that a thread takes at once, and that are
+ * worth another one: a segment takes a microsecond and more, a thread 20 to
+ * begin. */
+enum { BLOCK = 2048, CHUNK = 64, WORTH = 512 };
 
 /* The criteria: those of FAR15 are functions of the family. */
 static const struct criterion {
@@ -131,8 +137,8 @@ static enum ph_status read_task(const struct ph_problem *problem,
 
 /* What the choice of a member depends on beside its family. */
 struct choice {
-  struct task *task;
-  size_t segment;
+  const struct task *task;
+  size_t segment, evaluations;
   struct ph_spatial_data data; /* dp and directions */
   size_t work;
   bool cut_short;
@@ -211,7 +217,7 @@ static enum ph_status search_fairest(struct choice *c,
 static enum ph_status choose_fairest(struct ph_spatial_fit *fit,
                                      void *context) {
   struct choice *c = context;
-  struct task *t = c->task;
+  const struct task *t = c->task;
   bool free = t->points.atph && !t->points.alpha;
   double angle = fit->family.space.angle;
   struct ph_spatial_search search = {
@@ -233,7 +239,7 @@ static enum ph_status choose_fairest(struct ph_spatial_fit *fit,
                       t->criterion->name,
                       t->criterion->functional > 1 ? ", and no finite F1" : "");
   }
-  t->evaluations += found->evaluations;
+  c->evaluations += found->evaluations;
   fit->member = found->member;
   fit->functional = found->functional;
   if (free) {
@@ -245,33 +251,45 @@ static enum ph_status choose_fairest(struct ph_spatial_fit *fit,
   return PH_OK;
 }
 
+/* What is found of a segment alone. */
+struct found {
+  struct ph_spatial_data data;
+  struct ph_spatial_tension best;
+  struct ph_spatial_chosen chosen;
+  size_t evaluations;
+  bool cut_short;
+  enum ph_status status;
+};
+
 /* The segment at the tension that the criterion and the shape ask for. */
-static enum ph_status fit_segment(struct task *t, size_t k,
-                                  struct ph_spatial_data *data,
-                                  struct ph_spatial_tension *best,
-                                  struct ph_diag *diag) {
+static enum ph_status fit_segment(const struct task *t, size_t k,
+                                  struct found *found, struct ph_diag *diag) {
+  struct ph_spatial_data *data = &found->data;
+  struct ph_spatial_tension *best = &found->best;
   struct choice choice = {.task = t, .segment = k, .data = *data, .diag = diag};
   struct ph_atph space =
       t->points.alpha ? ph_atph_of(t->points.alpha[k]) : t->space;
   ph_spatial_choice *choose =
       t->angles || !t->criterion->functional ? choose_member : choose_fairest;
+  enum ph_status status;
   if (t->points.derivatives && t->points.alpha) {
     data->ni *= t->points.alpha[k];
     data->nf *= t->points.alpha[k];
   }
   if (t->shape) {
-    enum ph_status status =
+    status =
         ph_spatial_tension(data, &space, choose, &choice,
                            choose == choose_fairest ? MINIMUM : EXACT, best);
-    if (choice.cut_short) {
-      t->first_cut_short = t->cut_short++ ? t->first_cut_short : k;
-    }
-    return status;
+    found->cut_short = choice.cut_short;
+  } else {
+    best->factor = 1;
+    best->without = 0;
+    best->tried = 1;
+    status = ph_spatial_fit_of(data, &space, choose, &choice, &best->fit);
+    found->cut_short = false;
   }
-  best->factor = 1;
-  best->without = 0;
-  best->tried = 1;
-  return ph_spatial_fit_of(data, &space, choose, &choice, &best->fit);
+  found->evaluations = choice.evaluations;
+  return status;
 }
 
 static double functional_of(struct task *t, size_t k,
@@ -298,14 +316,17 @@ static const char *why_unsatisfied(const struct ph_spatial_data *data,
              : "(ti + tf).dp and ti.tf are positive, and yet none was found";
 }
 
-static void count_segment(struct task *t, size_t k,
-                          const struct ph_spatial_data *data,
-                          const struct ph_spatial_tension *best) {
+static void count_segment(struct task *t, size_t k, const struct found *found) {
+  const struct ph_spatial_tension *best = &found->best;
   double angle = best->fit.family.space.angle;
+  t->evaluations += found->evaluations;
+  if (found->cut_short) {
+    t->first_cut_short = t->cut_short++ ? t->first_cut_short : k;
+  }
   t->reduced += best->factor < 1;
   if (t->shape && best->fit.violated && t->unsatisfied++ == 0) {
     t->first_unsatisfied = k;
-    t->why = why_unsatisfied(data, best->fit.violated);
+    t->why = why_unsatisfied(&found->data, best->fit.violated);
   }
   if (t->angles || !t->criterion->functional) {
     t->evaluations += best->tried;
@@ -327,34 +348,107 @@ static void set_angles_of(const struct task *t, size_t k,
   }
 }
 
+static void find_segment(const struct task *t, size_t k, struct found *found,
+                         struct ph_diag *diag) {
+  const double tension = t->points.tension[k];
+  struct ph_spatial_chosen *chosen = &found->chosen;
+  chosen->root = ph_spatial_segment(&t->points, k, tension, &found->data);
+  found->status = fit_segment(t, k, found, diag);
+  if (found->status == PH_OK) {
+    chosen->fit = &found->best.fit;
+    chosen->tension = tension * found->best.factor;
+    set_angles_of(t, k, chosen->fit, chosen->angles);
+  }
+}
+
+/* Segments that are looked for together. */
+struct block {
+  const struct task *task;
+  size_t first;        /* of them */
+  struct found *found; /* by segment */
+  atomic_bool late;
+};
+
+static bool find_some(void *context, size_t thread, size_t first, size_t end) {
+  struct block *b = context;
+  struct ph_diag why;
+  for (size_t i = first; i < end; i++) {
+    if (!thread && ph_arena_late(b->task->scratch)) { /* it is for one to ask */
+      atomic_store(&b->late, true);
+      return false;
+    }
+    find_segment(b->task, b->first + i, &b->found[i], &why);
+    if (b->found[i].status != PH_OK) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/* n segments, by all threads that there are: but by one where memory is taken
+ * for each, which is for one to take. */
+static void find_block(struct block *b, size_t n) {
+  const struct task *t = b->task;
+  const bool takes = !t->angles && t->criterion->functional;
+  atomic_int *spare =
+      t->scratch->budget && !takes ? t->scratch->budget->spare : NULL;
+  ph_team_spread(spare, ph_team_take(spare, n / WORTH), n, takes ? 1 : CHUNK,
+                 find_some, b);
+}
+
+/* Where the curve goes on: the frame at its end, and its length. */
+struct end {
+  ph_quat frame;
+  struct ph_sum length;
+};
+
+static void put_segment(struct task *t, size_t k, const struct found *found,
+                        struct end *end) {
+  struct ph_curve *curve = &t->result->curve;
+  double missed;
+  count_segment(t, k, found);
+  missed = ph_spatial_put(&t->points, k, &found->chosen, &end->frame, curve);
+  t->residual = missed > t->residual ? missed : t->residual;
+  ph_sum_add(&end->length, curve->lengths[k]);
+}
+
+/* Why a segment was not found. */
+static enum ph_status tell(const struct task *t, size_t k, struct found *found,
+                           struct ph_diag *diag) {
+  if (found->status == PH_E_NO_MEMORY) {
+    return ph_fail_memory(diag);
+  }
+  find_segment(t, k, found, diag);
+  return found->status;
+}
+
 static enum ph_status solve_segments(struct task *t, struct ph_diag *diag) {
   struct ph_curve *curve = &t->result->curve;
-  struct ph_sum length = {0, 0};
-  ph_quat end = {1, 0, 0, 0};
-  for (size_t k = 0; k < t->points.n; k++) {
-    double tension = t->points.tension[k], missed;
-    struct ph_spatial_data data;
-    struct ph_spatial_tension best;
-    struct ph_spatial_chosen chosen;
-    enum ph_status status;
-    chosen.root = ph_spatial_segment(&t->points, k, tension, &data);
-    status = ph_arena_late(t->scratch) ? ph_fail_memory(diag)
-                                       : fit_segment(t, k, &data, &best, diag);
-    if (status != PH_OK) {
-      return status;
-    }
-    count_segment(t, k, &data, &best);
-    chosen.fit = &best.fit;
-    chosen.tension = tension * best.factor;
-    set_angles_of(t, k, &best.fit, chosen.angles);
-    missed = ph_spatial_put(&t->points, k, &chosen, &end, curve);
-    t->residual = missed > t->residual ? missed : t->residual;
-    ph_sum_add(&length, curve->lengths[k]);
+  struct end end = {{1, 0, 0, 0}, {0, 0}};
+  const size_t n = t->points.n, most = n < BLOCK ? n : BLOCK;
+  struct block block = {.task = t};
+  block.found = ph_arena_array(t->scratch, most, sizeof *block.found);
+  if (!block.found) {
+    return ph_fail_memory(diag);
   }
-  curve->length = ph_sum_value(&length);
+  atomic_init(&block.late, false);
+  for (; block.first < n; block.first += most) {
+    const size_t here = n - block.first < most ? n - block.first : most;
+    find_block(&block, here);
+    if (atomic_load(&block.late)) {
+      return ph_fail_memory(diag);
+    }
+    for (size_t i = 0; i < here; i++) {
+      if (block.found[i].status != PH_OK) {
+        return tell(t, block.first + i, &block.found[i], diag);
+      }
+      put_segment(t, block.first + i, &block.found[i], &end);
+    }
+  }
+  curve->length = ph_sum_value(&end.length);
   if (curve->closed) {
     ph_diagnostics_set(&t->result->diagnostics, PH_D_FRAME_TURN,
-                       ph_frame_turn(curve, end));
+                       ph_frame_turn(curve, end.frame));
   }
   return PH_OK;
 }
