@@ -378,7 +378,9 @@ int main(int argc, char **argv) {
       table_row(&rows[i]);
     }
   }
-  puts("\n  Target: 5 by --spacing and --chord-error.  GSL: not exact, without "
-       "torsion;\n  its splines are made beforehand.");
+  puts("\n  Target: 5 by --spacing and --chord-error.  On a sphere that is not "
+       "reached by\n  chords: a bound takes 28000 instructions, for 14 "
+       "samples.  "
+       "GSL: not exact,\n  without torsion; its splines are made beforehand.");
   return 0;
 }
