@@ -264,3 +264,27 @@ curve 'knots that differ much' \
   "$some,\"shape\":false,\"knots\":[0,0.1,1,3,3.5]"
 curve 'knots far apart' "$some,\"knots\":[1e49,2e49,3e49,4e49,5e49]"
 curve 'knots near each other' "$some,\"knots\":[-1e-49,0,1e-49,2e-49,3e-49]"
+
+# Random points, up to half a great circle apart: a fold at one of them does not
+# lose the others.  (The generator of Park and Miller.)
+awk -v n=400 'function uniform() {
+    state = (state * 16807) % 2147483647
+    return state / 2147483647
+  }
+  BEGIN {
+    state = 6 * 1000003 + n
+    for (i = 0; i < 10; i++) uniform()
+    for (i = 0; i < n; i++) {
+      z = 2 * uniform() - 1
+      t = 6.283185307179586 * uniform()
+      r = sqrt(1 - z * z)
+      data = data (i ? "," : "") \
+        sprintf("[%.17g,%.17g,%.17g]", r * cos(t), r * sin(t), z)
+    }
+    print "{\"points\":[" data "]}"
+  }' >random.json
+run sphere -q random.json
+equal 'random points' '0 true' "$status $(get diagnostics.shape_ok)"
+mv out r
+run verify -q r
+expect 'random points: verified' 0

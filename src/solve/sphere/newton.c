@@ -65,8 +65,9 @@ bool ph_sphere_work_alloc(struct ph_sphere_work *work, struct ph_arena *arena,
   work->before = ph_arena_array(arena, n, sizeof *work->before);
   work->kept = ph_arena_array(arena, n, sizeof *work->kept);
   work->tension = ph_arena_array(arena, n, sizeof *work->tension);
+  work->held = ph_arena_array(arena, n, sizeof *work->held);
   return ph_block2_alloc(&work->system, arena, n) && work->step &&
-         work->before && work->kept && work->tension;
+         work->before && work->kept && work->tension && work->held;
 }
 
 bool ph_sphere_spline_alloc(struct ph_sphere_spline *s,
@@ -375,4 +376,104 @@ bool ph_sphere_solve(struct ph_sphere_spline *s, struct ph_sphere_work *work) {
   s->model->start(s, 0, work);
   return ph_sphere_newton(s, all, work) || follow(s, work) || relax(s, work) ||
          (s->model->last_resort && s->model->last_resort(s, work));
+}
+
+/* ---- more tension than was asked for ------------------------------------- */
+
+/* Falls of sigma so near to 1 are a fold: the spline does not go on below it.
+ */
+static const double FACTOR_FOLD = 0.9;
+
+/* Tensions at sigma, but at nodes that are held at their own. */
+static void set_held(struct ph_sphere_spline *s, double sigma,
+                     const double *aim, const double *held) {
+  set_tensions(s, sigma, aim);
+  for (size_t i = 0; i < s->data->n; i++) {
+    if (held[i] > 0 && !ph_sphere_is_end(s->data, i)) {
+      s->nu[i] = aim[i] + held[i] * ph_sphere_stiffness(s->data, i);
+    }
+  }
+}
+
+/* The node that a Newton step from x, which solved larger tensions, moves
+ * most: beside a fold that is where it is. */
+static size_t fold_at(struct ph_sphere_spline *s, struct ph_sphere_work *work) {
+  struct ph_sphere_range all = ph_sphere_all(s->data);
+  double most = -1;
+  size_t at = all.first;
+  evaluate(s, all, 0, work);
+  step_of(s, all, work);
+  for (size_t j = 0; j < all.count; j++) {
+    size_t i = ph_sphere_node(s->data, all, j);
+    double move =
+        s->model->reach(s, i) * hypot(work->step[j][0], work->step[j][1]);
+    if (move > most) {
+      most = move;
+      at = i;
+    }
+  }
+  return at;
+}
+
+/* Holds the nodes about one at sigma, as many as it takes for one that was
+ * not.  ret false: all are */
+static bool hold(const struct ph_sphere_data *d, size_t at, double sigma,
+                 double *held) {
+  for (size_t by = 1; by <= d->n; by *= 2) {
+    struct ph_sphere_range range = ph_sphere_widen(d, at, 1, by);
+    bool some = false;
+    for (size_t j = 0; j < range.count; j++) {
+      size_t i = ph_sphere_node(d, range, j);
+      some = some || !(held[i] > 0);
+      held[i] = held[i] > 0 ? held[i] : sigma;
+    }
+    if (some) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/* As descend; where it would end, the nodes that it ends at keep their sigma.
+ */
+static bool descend_held(struct ph_sphere_spline *s,
+                         struct ph_sphere_work *work, double *held) {
+  struct ph_sphere_range all = ph_sphere_all(s->data);
+  double sigma = SIGMA_MAX, factor = FACTOR;
+  for (size_t i = 0; i < DESCENTS_MAX && !ph_arena_late(work->arena); i++) {
+    double next = sigma > SIGMA_MIN ? sigma * factor : 0;
+    set_held(s, next, work->tension, held);
+    if (ph_sphere_newton(s, all, work)) {
+      sigma = next;
+      factor = fmax(factor * sqrt(factor), FACTOR_MIN);
+      if (!(sigma > 0)) {
+        return true;
+      }
+      continue;
+    }
+    factor = sqrt(factor);
+    if (factor > FACTOR_FOLD || !(sigma > SIGMA_MIN)) {
+      if (!hold(s->data, fold_at(s, work), sigma, held)) {
+        return false;
+      }
+      factor = FACTOR;
+    }
+  }
+  return false;
+}
+
+bool ph_sphere_solve_tense(struct ph_sphere_spline *s,
+                           struct ph_sphere_work *work) {
+  size_t n = s->data->n;
+  double *held = work->held;
+  memset(held, 0, n * sizeof *held);
+  memcpy(work->tension, s->nu, n * sizeof *s->nu);
+  s->model->hug(s);
+  set_held(s, SIGMA_MAX, work->tension, held);
+  if (ph_sphere_newton(s, ph_sphere_all(s->data), work) &&
+      descend_held(s, work, held)) {
+    return true;
+  }
+  memcpy(s->nu, work->tension, n * sizeof *s->nu);
+  return false;
 }

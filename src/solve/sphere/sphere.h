@@ -244,6 +244,7 @@ struct ph_sphere_work {
   ph_vec3 *before;   /* x at the begin of an iteration, and */
   ph_vec3 *kept;     /* of a whole solution */
   double *tension;   /* tensions that are aimed at */
+  double *held;      /* [n] what more of it a solution needs: see newton.c */
   size_t iterations; /* in all */
   double residual;   /* of the last solution: root mean square */
 };
@@ -319,6 +320,18 @@ void ph_sphere_respond(struct ph_sphere_spline *s,
  * ret  whether a solution was found
  */
 bool ph_sphere_solve(struct ph_sphere_spline *s, struct ph_sphere_work *work);
+
+/*
+ * ph_sphere_solve_tense: where that found none, a spline with larger tensions
+ * at the nodes that it needs them at: steps of more than a right angle have
+ * folds, below which there is none.
+ *
+ * inout s    nu
+ * out   s    x, r, l
+ * ret   whether a solution was found
+ */
+bool ph_sphere_solve_tense(struct ph_sphere_spline *s,
+                           struct ph_sphere_work *work);
 
 /* ---- shape --------------------------------------------------------------- */
 

@@ -277,13 +277,15 @@ static void find_ranges(struct ph_sphere_raise *raise, size_t touched_n) {
 
 /* ---- the whole ----------------------------------------------------------- */
 
-/* Solves again; from nothing where the way from the last solution fails. */
+/* Solves again; from nothing where the way from the last solution fails, with
+ * more tension where there is no other. */
 static bool solve_ranges(struct ph_sphere_raise *raise) {
   for (size_t r = 0; r < raise->ranges_n; r++) {
     if (!ph_sphere_newton(raise->spline, raise->ranges[r], raise->work)) {
       raise->ranges[0] = ph_sphere_all(raise->spline->data);
       raise->ranges_n = 1;
-      return ph_sphere_solve(raise->spline, raise->work);
+      return ph_sphere_solve(raise->spline, raise->work) ||
+             ph_sphere_solve_tense(raise->spline, raise->work);
     }
   }
   return true;
