@@ -63,12 +63,15 @@ ph_check_general_place_at(const struct ph_check_general *g, double u);
 
 /* ph_check_general_integral: of a function of u, whose context is g, over
  * [from,to], to 1e-13 of it.  tolerance: what may be missed besides, for each 1
- * of u, or 0: of areas a part of theirs; of the turn, which is held against pi
- * and is rounding where it is small, a part of the radian.  Angles of rulings
- * are as small as vertices are far, and have none. */
+ * of u: of areas a part of theirs; of the angle of rulings what rounding makes
+ * of it; of the turn, which is held against pi, a part of the radian. */
 double ph_check_general_integral(const struct ph_check_general *g,
                                  ph_check_integrand *f, double tolerance,
                                  double from, double to);
+
+/* ph_check_general_phi: the angle by which rulings turn over [from,to]. */
+double ph_check_general_phi(const struct ph_check_general *g, double from,
+                            double to);
 
 /* ph_check_general_flat_at: a place laid flat; places are asked for in order,
  * as a rule. */

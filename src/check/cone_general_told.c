@@ -100,11 +100,6 @@ void ph_check_general_turn(struct ph_check_general *g,
   totals->clear = totals->clear && t.clear;
 }
 
-/* How rulings turn. */
-static void rate_at(const void *context, double u, double *value) {
-  *value = ph_check_general_place_at(context, u).rate;
-}
-
 /* ---- what a record says besides ------------------------------------------ */
 
 /* u where the arc length is a part of the whole. */
@@ -328,9 +323,8 @@ static size_t load(void *context, size_t i) {
   ph_check_general_load(sheet->g, i);
   for (size_t j = 0; j <= RULINGS; j++) {
     const double u = (double)j / RULINGS, before = u - 1.0 / RULINGS;
-    sheet->phi[j] = j ? sheet->phi[j - 1] + ph_check_general_integral(
-                                                sheet->g, rate_at, 0, before, u)
-                      : 0;
+    sheet->phi[j] =
+        j ? sheet->phi[j - 1] + ph_check_general_phi(sheet->g, before, u) : 0;
   }
   return RULINGS;
 }

@@ -415,3 +415,9 @@ jq -c '.strips[0].development_angle *= 1.00000001' any.result >bad
 run verify -q bad
 equal 'an angle of 1e-12 that is off by 1e-8 of it' \
   '1 "strips[0].development_angle"' "$status $(get error.field)"
+accepted cone 'points that are far from the origin' <<'EOF'
+{"points":[[12358.3,-9600,18607.033119415435],[12359.537242250692,
+-9599.355827816804,18608.082919415432]],"tangents":[[0.7771,-0.3358,0.5322],[
+0.7825,-0.0733,0.6183]],"rulings":[[0.5744,0.0329,-0.8179],[0.6216,0.0338,
+-0.7826]],"method":"atph","apexes":[-0.9539815800240917,6.07]}
+EOF
