@@ -132,7 +132,7 @@ drawn 'a pair of cubics' 2 2 0 0 2 2 2
 {
   jq '.segments[].control_points[][]' out
   grep '<path.*[0-9]C[0-9]' x.svg | sed 's/.* d="M\([^"]*\)".*/\1/' |
-    tr 'C ,' '\n\n\n'
+    tr -s 'C ,' '[\n*]'
 } | awk '{ v[NR] = $1 } END {
     scale = (v[23] - v[17]) / (v[7] - v[1])
     for (i = 1; i <= 16; i++) {
