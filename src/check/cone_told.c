@@ -336,9 +336,9 @@ static void check_center(struct ph_check_cone *cone, size_t i) {
   const double radius = ph_check_scaled(cone->v, pair->radius);
   const ph_vec3 center = ph_check_vector(cone->v, pair->center, 3);
   const double size = cone->v->scale.size + fabs(radius);
-  const double allowed =
-      (cone->frame + UNIT) * size + ROUND * cone->v->scale.rounding;
   const bool pencil = pair->which == PH_PAIR_PENCIL;
+  const double allowed = (cone->frame + (pencil ? UNIT : DEGENERATE)) * size +
+                         ROUND * cone->v->scale.rounding;
   ph_vec3 miss[2];
   double off = 0;
   if (!isfinite(pair->radius)) {
