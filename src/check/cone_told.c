@@ -337,8 +337,8 @@ static void check_center(struct ph_check_cone *cone, size_t i) {
   const ph_vec3 center = ph_check_vector(cone->v, pair->center, 3);
   const double size = cone->v->scale.size + fabs(radius);
   const bool pencil = pair->which == PH_PAIR_PENCIL;
-  const double allowed = (cone->frame + (pencil ? UNIT : DEGENERATE)) * size +
-                         ROUND * cone->v->scale.rounding;
+  const double allowed =
+      (cone->frame + DEGENERATE) * size + ROUND * cone->v->scale.rounding;
   ph_vec3 miss[2];
   double off = 0;
   if (!isfinite(pair->radius)) {

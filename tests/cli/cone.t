@@ -478,8 +478,8 @@ EOF
 equal 'its case' '"pencil"' "$(jq '.pairs[0].case' any.result)"
 run verify -q any.result
 expect 'a pencil of spheres, verified alone' 0
-for move in '[1e-7,0,0]' '[0,1e-7,0]' '[0,0,1e-7]' '[1e-7,1e-7,-1e-7]' \
-  '[-6.8e-8,-6.95e-8,-2.28e-8]' '[-6.16e-8,-7.7e-8,-1.77e-8]'; do
+for move in '[1e-6,0,0]' '[0,1e-6,0]' '[0,0,1e-6]' '[1e-6,1e-6,-1e-6]' \
+  '[-6.8e-7,-6.95e-7,-2.28e-7]' '[-6.16e-7,-7.7e-7,-1.77e-7]'; do
   jq -c "$move as \$d | .pairs[0].center |= [., \$d] |
     .pairs[0].center |= (transpose | map(add))" any.result >bad
   run verify -q bad
