@@ -287,20 +287,23 @@ static void check_leg(struct ph_check_cone *cone, size_t i, size_t j) {
  *   (m - c1) . d1 = 0,  (m - c2) . d2 = 0,  (m - c1) . n1 = (m - c2) . n2,
  *
  * written as half the sum of the first two, their difference, and the third,
- * the last two over the lengths of what they multiply m by: the larger of the
- * two that are the least dependent on one another.
+ * the last two, less what rounding of directions makes of them, over the
+ * lengths of what they multiply m by: the larger of the two that are the least
+ * dependent on one another.
  */
-static double lack_of(const ph_vec3 miss[2], const struct ph_check_frame f[2]) {
+static double lack_of(const ph_vec3 miss[2], const struct ph_check_frame f[2],
+                      double rounding) {
   const ph_vec3 by = ph_vec3_sub(f[1].d, f[0].d);
   const ph_vec3 up = ph_vec3_sub(f[0].n, f[1].n);
   const ph_vec3 row[] = {ph_vec3_scale(0.5, ph_vec3_add(f[0].d, f[1].d)),
                          ph_vec3_unit(by), ph_vec3_unit(up)};
   const double a = ph_vec3_dot(miss[0], f[0].d);
   const double b = ph_vec3_dot(miss[1], f[1].d);
+  const double c = ph_vec3_dot(miss[0], f[0].n) - ph_vec3_dot(miss[1], f[1].n);
   const double left[] = {
-      fabs(a + b) / 2, fabs(b - a) / ph_vec3_abs(by),
-      fabs(ph_vec3_dot(miss[0], f[0].n) - ph_vec3_dot(miss[1], f[1].n)) /
-          ph_vec3_abs(up)};
+      fabs(a + b) / 2,
+      ph_check_larger(0, fabs(b - a) - rounding) / ph_vec3_abs(by),
+      ph_check_larger(0, fabs(c) - rounding) / ph_vec3_abs(up)};
   double most = 0, found = 0;
   for (size_t i = 0; i < 3; i++) {
     const size_t j = (i + 1) % 3, k = (i + 2) % 3;
@@ -317,13 +320,9 @@ static double lack_of(const ph_vec3 miss[2], const struct ph_check_frame f[2]) {
  * points: the tolerance of the problem, or any that there may be. */
 static double pencil_allowed(const struct ph_check_cone *cone) {
   const struct ph_problem *problem = cone->v->problem;
-  if (!problem) {
-    return DEGENERATE_MAX;
-  }
-  return problem->field[PH_F_DEGENERATE].kind == PH_NUMBER
-             ? ph_check_larger(problem->field[PH_F_DEGENERATE].number,
-                               DEGENERATE)
-             : DEGENERATE;
+  const double said =
+      problem ? problem->field[PH_F_DEGENERATE].number : DEGENERATE_MAX;
+  return ph_check_larger(said, DEGENERATE);
 }
 
 /* The sphere: its centre is at the radius along both normals.  Of many that
@@ -358,8 +357,8 @@ static void check_center(struct ph_check_cone *cone, size_t i) {
                   ph_check_of("pairs", i, "center"), off, 0, size, allowed);
   if (pencil) {
     ph_check_number(cone->v, PH_CHECK_DIAGNOSTIC,
-                    ph_check_of("pairs", i, "center"), lack_of(miss, f), 0,
-                    size, allowed);
+                    ph_check_of("pairs", i, "center"),
+                    lack_of(miss, f, UNIT * size), 0, size, allowed);
   }
 }
 
