@@ -156,7 +156,7 @@ static void interpolate(const struct ph_arc_system *s, const struct support *p,
     put(s, w, x + j * s->dim);
     if (j == 0) {
       t = half;
-    } else {
+    } else if (j + 1 < s->nodes) {
       size_t here = j - 1;
       t += (d->h[here / s->refine] + d->h[next / s->refine]) / (2 * r);
     }
