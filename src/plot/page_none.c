@@ -45,6 +45,10 @@ void ph_page_line(struct ph_page *page, struct ph_spot to) {
   (void)page, (void)to;
 }
 
+void ph_page_curve(struct ph_page *page, const struct ph_spot spots[3]) {
+  (void)page, (void)spots;
+}
+
 void ph_page_circle(struct ph_page *page, struct ph_spot center,
                     double radius) {
   (void)page, (void)center, (void)radius;

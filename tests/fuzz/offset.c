@@ -104,12 +104,12 @@ static void offset_set_lines(struct offset_input *in) {
 
 static void offset_set_data(struct offset_input *in, double largest) {
   const enum offset_curve curve = in->flags.curve;
+  fuzz_set_flag(&in->problem, PH_F_CLOSED, in->flags.closed);
   if (curve == OFFSET_LINES) {
     offset_set_lines(in);
     fuzz_set_number(&in->problem, PH_F_TOLERANCE, 1e-3 * largest);
   } else {
     in->problem.field[PH_F_POINTS] = fuzz_array(in->point, in->points, 2);
-    fuzz_set_flag(&in->problem, PH_F_CLOSED, in->flags.closed);
     fuzz_set_word(&in->problem, PH_F_BASIS,
                   curve == OFFSET_ATPH ? "atph" : NULL);
   }
