@@ -6,9 +6,9 @@
 
 # 4000 lines: curves of 2 to 200 points, and one in ten that fails, in one of
 # several ways, at one of several stages; one of the eight ways is a warning.
-# Fewer where every step takes long (PH_SHORT=1).
-lines=4000
-[ "${PH_SHORT-}" != 1 ] || lines=1600
+# Fewer, and one number of threads, where every step takes long (PH_SHORT=1).
+lines=4000 threads='2 8'
+[ "${PH_SHORT-}" != 1 ] || lines=1600 threads=3
 awk -v lines=$lines 'BEGIN {
   for (i = 1; i <= lines; i++) {
     n = i % 500 == 0 ? 200 : 2 + i % 5
@@ -39,8 +39,8 @@ same() {
   mv out out.1
   mv err err.1
   equal "$name, --jobs=1" "$wanted" "$status"
-  for jobs in 2 8; do
-    run $method --jobs=$jobs "$@"
+  for jobs in $threads; do
+    run $method --jobs="$jobs" "$@"
     equal "$name, --jobs=$jobs" "$wanted" "$status"
     equal_files "$name, --jobs=$jobs: results" out.1 out
     equal_files "$name, --jobs=$jobs: messages" err.1 err
