@@ -184,14 +184,16 @@ wrong zero-tangent 'end_tangents[0]' 'must not be zero' \
 wrong zero-tangent 'end_derivatives[1]' 'must not be zero' \
   "{$three,\"end_derivatives\":[[1,0],[0,0]]}"
 wrong zero-tangent 'derivatives[1]' \
-  'is too small beside the chord from points[0]' \
+  'is too small beside the chord from points[0] to points[1]' \
   "{$two,\"derivatives\":[[1,0],[1e-13,0]]}"
 wrong too-large 'derivatives[0]' \
-  'is too large beside the chord from points[0]' \
+  'is too large beside the chord from points[0] to points[1]' \
   "{$two,\"derivatives\":[[1e14,0],[1,0]]}"
 wrong too-large 'points[0]' \
-  'gets a derivative that is too large beside the chord from points[0]' \
+  'gets a derivative that is too large beside the chord from points[0] to points[1]' \
   "{$two,\"end_derivatives\":[[1e14,0],[1,0]]}"
+wrong coincident-points 'points[1]' 'gets a derivative that is too small beside '\
+"the chord from points[0] to points[1]$joins" '{"points":[[0,0],[1,0],[1,1e-12],[2,1]],"mode":"spline"}'
 wrong infeasible 'points[1]' 'is where the data turn back by 180 degrees: the '\
 'chords have no bisector there' '{"points":[[0,0],[2,0],[1,0],[1,1]],"mode":"spline"}'
 wrong infeasible 'points[0]' 'is where the data turn back by 180 degrees: the '\

@@ -5,11 +5,12 @@
  * (gate.h).
  *
  * The seed is 1, or PH_SEED.  `make check-long' takes many, PH_TRIALS=N in
- * PH_JOBS threads, and tells while it goes what became of them, by commands,
- * fields and options.  PH_FROM=I begins at problem I, to go on with a run that
- * ended; PH_TRIAL=I takes problem I alone, and prints it
- * as it is, and smaller where it is wrong.  PH_GATE=curves or surfaces: only
- * the problems of these, each of which have numbers of their own.
+ * PH_JOBS threads, and tells while it goes what became of them, a line for each
+ * thousand, and by commands, fields and options.  PH_FROM=I begins at problem
+ * I, to go on with a run that ended; PH_TRIAL=I takes problem I alone, and
+ * prints it as it is, and smaller where it is wrong.  PH_GATE=curves or
+ * surfaces: only the problems of these, each of which have numbers of their
+ * own.
  */
 #include "gate.h"
 #include "unit.h"
@@ -23,7 +24,8 @@ enum {
   JOBS = 64,
   WAYS = 100,
   OPTIONS = 24,
-  TELL = 20000
+  TELL = 20000,
+  TELL_SHORTLY = 1000
 };
 
 /* One in so many is looked at closely, of those of make check, and of a million
@@ -116,6 +118,22 @@ static void tell_count(const struct count *n) {
   printf("\n");
 }
 
+/* One line. */
+static void tell_shortly(const struct gate *gate) {
+  size_t fate[GATE_WRONG + 1] = {0}, disputed = 0;
+  for (size_t i = 0; i < gate->commands; i++) {
+    for (size_t k = 0; k <= GATE_WRONG; k++) {
+      fate[k] += gate->command[i].fate[k];
+    }
+    disputed += gate->command[i].disputed;
+  }
+  printf("%s: %zu problems to number %zu: %zu solved, %zu refused, %zu wrong, "
+         "of which %zu are right by brute force\n",
+         gate->name, gate->done, gate->next, fate[GATE_SOLVED],
+         fate[GATE_REFUSED], fate[GATE_WRONG], disputed);
+  fflush(stdout);
+}
+
 static void tell(const struct gate *gate) {
   printf("\n%-16s %8s %8s %6s %6s %8s %6s %8s refused\n", "", "problems",
          "solved", "wrong", "though", "seconds", "most", "of");
@@ -205,7 +223,10 @@ static void trial(struct gate *gate, struct gate_lab *lab, size_t which) {
   add_all(gate, &c, &outcome, which, seconds);
   new = outcome.fate ==
         GATE_WRONG &&is_new(gate, gate_schema(&c)->command, &outcome, which);
-  if (++gate->done % TELL == 0 && gate->tell) {
+  if (++gate->done % TELL_SHORTLY == 0 && gate->tell) {
+    tell_shortly(gate);
+  }
+  if (gate->done % TELL == 0 && gate->tell) {
     tell(gate);
   }
   pthread_mutex_unlock(&gate->lock);
@@ -270,6 +291,7 @@ static void run(struct gate *gate, size_t trials) {
   }
   if (gate->tell) {
     tell(gate);
+    tell_shortly(gate);
   }
   ck_assert_uint_eq(gate->ways_n, 0);
 }

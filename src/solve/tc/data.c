@@ -297,25 +297,41 @@ static void set_lengths(const struct ph_problem *p, struct ph_tc_data *d) {
   d->c1 = true;
 }
 
-/* Derivatives that are nothing beside a chord, or all but everything. */
-static enum ph_status check_ratios(const struct ph_tc_data *d,
-                                   struct ph_diag *diag) {
+/* The ratio of the derivative at points[at] to the chord of segment k. */
+static enum ph_status check_ratio(const struct ph_problem *p,
+                                  const struct ph_tc_data *d, size_t k,
+                                  size_t at, struct ph_diag *diag) {
   const bool given = d->mode == PH_TC_C1;
+  const bool end = !d->closed && (at == 0 || at == d->n) &&
+                   p->field[PH_F_END_DERIVATIVES].kind != PH_ABSENT;
+  const double ratio = hypot(d->vector[at].re, d->vector[at].im) / d->chord[k];
+  const bool small = ratio * RATIO_MAX < 1;
+  if (small || !(ratio < RATIO_MAX)) {
+    return ph_fail_at(
+        diag,
+        !small  ? PH_E_TOO_LARGE
+        : given ? PH_E_ZERO_TANGENT
+                : PH_E_COINCIDENT_POINTS,
+        given ? "derivatives" : "points", at,
+        "%s too %s beside the chord from points[%zu] to "
+        "points[%zu]%s",
+        given ? "is" : "gets a derivative that is", small ? "small" : "large",
+        k, k + 1 < d->points_n ? k + 1 : 0,
+        small && !given && !end ? "; --merge=D joins points nearer than D"
+                                : "");
+  }
+  return PH_OK;
+}
+
+/* Derivatives that are nothing beside a chord, or all but everything. */
+static enum ph_status check_ratios(const struct ph_problem *p,
+                                   const struct ph_tc_data *d,
+                                   struct ph_diag *diag) {
   for (size_t k = 0; d->c1 && k < d->n; k++) {
-    for (size_t i = 0; i < 2; i++) {
-      size_t at = k + i < d->points_n ? k + i : 0;
-      double ratio = hypot(d->vector[at].re, d->vector[at].im) / d->chord[k];
-      bool small = ratio * RATIO_MAX < 1;
-      if (small || !(ratio < RATIO_MAX)) {
-        return ph_fail_at(diag,
-                          !small  ? PH_E_TOO_LARGE
-                          : given ? PH_E_ZERO_TANGENT
-                                  : PH_E_COINCIDENT_POINTS,
-                          given ? "derivatives" : "points", at,
-                          "%s too %s beside the chord from points[%zu]",
-                          given ? "is" : "gets a derivative that is",
-                          small ? "small" : "large", k);
-      }
+    size_t next = k + 1 < d->points_n ? k + 1 : 0;
+    if (check_ratio(p, d, k, k, diag) != PH_OK ||
+        check_ratio(p, d, k, next, diag) != PH_OK) {
+      return diag->status;
     }
   }
   return PH_OK;
@@ -364,7 +380,7 @@ static enum ph_status set_vectors(const struct ph_problem *p,
   if (status == PH_OK && !isnan(d->lambda)) {
     set_lengths(p, d);
   }
-  return status == PH_OK ? check_ratios(d, diag) : status;
+  return status == PH_OK ? check_ratios(p, d, diag) : status;
 }
 
 struct ph_tc_hermite ph_tc_hermite_of(const struct ph_tc_data *d, size_t k) {

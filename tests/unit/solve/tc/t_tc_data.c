@@ -158,16 +158,18 @@ static const struct {
           END_DERIVATIVES(0, 0, 1, 0)),
     /* ratios */
     FAILS(PH_E_ZERO_TANGENT, "derivatives[2]",
-          "is too small beside the chord from points[1]", POINTS,
+          "is too small beside the chord from points[1] to points[2]", POINTS,
           {PH_F_DERIVATIVES, VECTORS(2, 1, 0, 1, 1, 1e-13, 0)}),
     FAILS(PH_E_TOO_LARGE, "derivatives[0]",
-          "is too large beside the chord from points[0]", POINTS,
+          "is too large beside the chord from points[0] to points[1]", POINTS,
           {PH_F_DERIVATIVES, VECTORS(2, 1e13, 0, 1, 1, 1, 0)}),
     FAILS(PH_E_COINCIDENT_POINTS, "points[1]",
-          "gets a derivative that is too small beside the chord from points[1]",
+          "gets a derivative that is too small beside the chord from points[1] "
+          "to points[2]" JOINS,
           {PH_F_POINTS, VECTORS(2, 0, 0, 1e-13, 0, 1, 0)}, MODE("spline")),
     FAILS(PH_E_TOO_LARGE, "points[2]",
-          "gets a derivative that is too large beside the chord from points[1]",
+          "gets a derivative that is too large beside the chord from points[1] "
+          "to points[2]",
           POINTS, END_DERIVATIVES(1, 0, 0, 1e13)),
 };
 
