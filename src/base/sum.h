@@ -17,6 +17,12 @@ static inline void ph_sum_add(struct ph_sum *sum, double x) {
   sum->high = t;
 }
 
+/* ph_sum_join: adds the sum of other numbers. */
+static inline void ph_sum_join(struct ph_sum *sum, const struct ph_sum *more) {
+  ph_sum_add(sum, more->high);
+  ph_sum_add(sum, more->low);
+}
+
 static inline double ph_sum_value(const struct ph_sum *sum) {
   return sum->high + sum->low;
 }

@@ -87,3 +87,13 @@ void ph_team_spread(atomic_int *spare, size_t threads, size_t n, size_t chunk,
   struct spread s = {n, chunk, work, context, 0};
   ph_team_run(spare, threads, take_chunks, &s);
 }
+
+void ph_team_share(const struct ph_arena *arena, size_t n, size_t worth,
+                   size_t chunk,
+                   bool (*work)(void *context, size_t thread, size_t first,
+                                size_t end),
+                   void *context) {
+  atomic_int *spare = arena->budget ? arena->budget->spare : NULL;
+  ph_team_spread(spare, ph_team_take(spare, n / worth), n, chunk, work,
+                 context);
+}

@@ -9,6 +9,8 @@
 #ifndef PH_BASE_TEAM_H
 #define PH_BASE_TEAM_H
 
+#include "base/mem.h"
+
 #include <stdatomic.h>
 #include <stdbool.h>
 #include <stddef.h>
@@ -44,5 +46,17 @@ void ph_team_spread(atomic_int *spare, size_t threads, size_t n, size_t chunk,
                     bool (*work)(void *context, size_t thread, size_t first,
                                  size_t end),
                     void *context);
+
+/*
+ * ph_team_share: the same, by a thread for each `worth' things that there are,
+ * as far as the budget of an arena has spare ones.  What is looked for in
+ * chunks, and put together in their order, is the same for any number of
+ * threads.
+ */
+void ph_team_share(const struct ph_arena *arena, size_t n, size_t worth,
+                   size_t chunk,
+                   bool (*work)(void *context, size_t thread, size_t first,
+                                size_t end),
+                   void *context);
 
 #endif

@@ -374,12 +374,10 @@ static bool set_seams(struct ph_check_patchwork *w) {
 
 enum ph_status ph_check_patch_edges(struct ph_check_patchwork *w) {
   const struct ph_arena *scratch = w->v->scratch;
-  atomic_int *spare = scratch->budget ? scratch->budget->spare : NULL;
   if (!set_seams(w)) {
     return PH_OK;
   }
-  ph_team_spread(spare, ph_team_take(spare, w->seams_n / WORTH), w->seams_n,
-                 CHUNK, compare_some, w);
+  ph_team_share(scratch, w->seams_n, WORTH, CHUNK, compare_some, w);
   for (size_t i = 0; i < w->seams_n; i++) {
     note(w, &w->seams[i]);
   }

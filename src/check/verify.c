@@ -134,7 +134,6 @@ static bool check_part(void *context, size_t thread, size_t first, size_t end) {
  * which.  False: it is to be gone through in one. */
 static bool check_parts(struct ph_check *v) {
   const size_t n = v->curve->n, parts_n = (n + PART - 1) / PART;
-  atomic_int *spare = v->scratch->budget ? v->scratch->budget->spare : NULL;
   struct parts parts = {.v = v};
   if (n < 2 * PART || !v->error || !v->data ||
       ph_check_field(v, PH_F_TANGENT_SIGMA)) {
@@ -144,8 +143,7 @@ static bool check_parts(struct ph_check *v) {
   if (!parts.part) {
     return false;
   }
-  ph_team_spread(spare, ph_team_take(spare, parts_n / 2), n, PART, check_part,
-                 &parts);
+  ph_team_share(v->scratch, n, 2 * PART, PART, check_part, &parts);
   for (size_t i = 0; i < parts_n && !ph_arena_late(v->scratch); i++) {
     const struct part *part = &parts.part[i];
     const struct part *next = &parts.part[i + 1 < parts_n ? i + 1 : 0];

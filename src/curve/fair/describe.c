@@ -45,45 +45,60 @@ static struct unit unit_of(const struct ph_curve *curve) {
 }
 
 /* What is said of a plane curve, in shares: its crossings are the first, parts
- * of its energies the others. */
+ * of its sums the others. */
 struct shares {
   const struct ph_curve *curve;
   struct ph_arena *scratch; /* of the crossings */
   bool crossings;           /* that are asked for */
-  size_t parts_n;           /* as many energies; 0: they are not */
   struct ph_cross cross;
   enum ph_status status;
   struct ph_diag *diag;
-  struct ph_energy_part *part;
+  void (*add)(struct shares *s, size_t part); /* its segments */
+  size_t parts_n;                             /* 0: no sums are asked for */
+  union {
+    struct ph_energy_part *energy;
+    struct cubics *cubics;
+  } part; /* [parts_n] */
 };
 
 static bool do_share(void *context, size_t thread, size_t first, size_t end) {
   struct shares *s = context;
   (void)thread, (void)end;
   if (first > 0) {
-    ph_energy_part_add(&s->part[first - 1], s->curve,
-                       (first - 1) * PH_ENERGY_PART);
+    s->add(s, first - 1);
   } else if (s->crossings) {
     s->status = ph_cross_planar(s->curve, s->scratch, &s->cross, s->diag);
   }
   return true;
 }
 
-/* Crossings and energies; a curve of few segments has one thread. */
+/* All of them; a curve of few segments has one thread. */
 static enum ph_status share(struct shares *s) {
+  ph_team_share(s->scratch, s->parts_n + 1, WORTH, 1, do_share, s);
+  return s->status;
+}
+
+/* ---- in the plane -------------------------------------------------------- */
+
+static void add_energies(struct shares *s, size_t part) {
+  ph_energy_part_add(&s->part.energy[part], s->curve, part * PH_ENERGY_PART);
+}
+
+/* Crossings and energies. */
+static enum ph_status share_energies(struct shares *s) {
   const size_t n = s->parts_n;
-  atomic_int *spare = s->scratch->budget ? s->scratch->budget->spare : NULL;
   struct ph_energy_part empty;
-  s->part = ph_arena_array(s->scratch, n, sizeof *s->part);
-  if (!s->part || (n && !ph_energy_part_begin(&empty, s->curve))) {
+  s->add = add_energies;
+  s->part.energy = ph_arena_array(s->scratch, n, sizeof *s->part.energy);
+  if (!s->part.energy || (n && !ph_energy_part_begin(&empty, s->curve))) {
     return ph_fail_memory(s->diag);
   }
   for (size_t i = 0; i < n; i++) {
-    s->part[i] = empty;
+    s->part.energy[i] = empty;
   }
-  ph_team_spread(spare, ph_team_take(spare, n / WORTH), n + 1, 1, do_share, s);
+  share(s);
   for (size_t i = 1; i < n; i++) {
-    ph_energy_part_join(&s->part[0], &s->part[i]);
+    ph_energy_part_join(&s->part.energy[0], &s->part.energy[i]);
   }
   return s->status;
 }
@@ -100,7 +115,7 @@ enum ph_status ph_describe_planar(const struct ph_curve *curve,
                      ? (curve->n + PH_ENERGY_PART - 1) / PH_ENERGY_PART
                      : 0,
       .diag = diag};
-  enum ph_status status = share(&shares);
+  enum ph_status status = share_energies(&shares);
   struct ph_energy energy;
   if (status != PH_OK) {
     return status;
@@ -112,7 +127,7 @@ enum ph_status ph_describe_planar(const struct ph_curve *curve,
   if (!shares.parts_n) {
     return PH_OK;
   }
-  energy = ph_energy_of(shares.part, curve);
+  energy = ph_energy_of(shares.part.energy, curve);
   ph_diagnostics_set_finite(diagnostics, PH_D_ENERGY, energy.bending);
   ph_diagnostics_set_finite(diagnostics, PH_D_MV, energy.varying);
   ph_diagnostics_set_finite(diagnostics, PH_D_IES, energy.ies);
@@ -181,6 +196,9 @@ struct cubics {
   bool stands_still;
 };
 
+/* Cubics of a part, which take 2 ms. */
+enum { PART = 1024 };
+
 /* The largest |curvature|, 2 |K| / |w|^4: where w is nearest to 0, that is at
  * its distance from the line of w, or at the nearer end. */
 static double largest_curvature(const struct ph_tc *tc) {
@@ -211,29 +229,70 @@ static void add_cubic(struct cubics *sum, const struct ph_curve *curve,
   ph_sum_add(&sum->absolute, fabs(turning));
 }
 
+static void add_cubics(struct shares *s, size_t part) {
+  const struct unit unit = unit_of(s->curve);
+  struct cubics sum = {.loops = 0};
+  for (size_t k = part * PART; k < s->curve->n && k < (part + 1) * PART; k++) {
+    add_cubic(&sum, s->curve, unit.root, k);
+  }
+  s->part.cubics[part] = sum;
+}
+
+static void join_cubics(struct cubics *sum, const struct cubics *more) {
+  sum->stands_still |= more->stands_still;
+  sum->loops += more->loops;
+  sum->curvature =
+      more->curvature <= sum->curvature ? sum->curvature : more->curvature;
+  ph_sum_join(&sum->energy, &more->energy);
+  ph_sum_join(&sum->rotation, &more->rotation);
+  ph_sum_join(&sum->absolute, &more->absolute);
+}
+
+/* Crossings and sums, the first of which is that of all. */
+static enum ph_status share_cubics(struct shares *s) {
+  const size_t n = s->parts_n;
+  s->add = add_cubics;
+  s->part.cubics = ph_arena_array(s->scratch, n, sizeof *s->part.cubics);
+  if (!s->part.cubics) {
+    return ph_fail_memory(s->diag);
+  }
+  share(s);
+  for (size_t i = 1; i < n; i++) {
+    join_cubics(&s->part.cubics[0], &s->part.cubics[i]);
+  }
+  return s->status;
+}
+
 enum ph_status ph_describe_cubics(const struct ph_curve *curve,
                                   struct ph_arena *scratch,
                                   struct ph_diagnostics *diagnostics,
                                   struct ph_diag *diag) {
   const double turn = 2 * PH_PI;
   const struct unit unit = unit_of(curve);
-  struct cubics sum = {.loops = 0};
-  if (ph_diagnostics_asked(diagnostics, PH_BIT(PH_D_SIMPLE))) {
-    struct ph_cross cross;
-    enum ph_status status = ph_cross_planar(curve, scratch, &cross, diag);
-    if (status != PH_OK) {
-      return status;
-    }
-    ph_diagnostics_set(diagnostics, PH_D_SIMPLE,
-                       cross.simple && diagnostics->value[PH_D_REGULAR] > 0);
+  struct shares shares = {
+      .curve = curve,
+      .scratch = scratch,
+      .crossings = ph_diagnostics_asked(diagnostics, PH_BIT(PH_D_SIMPLE)),
+      .parts_n =
+          ph_diagnostics_asked(diagnostics, ENERGIES | PH_BIT(PH_D_LOOPS) |
+                                                PH_BIT(PH_D_MAX_CURVATURE))
+              ? (curve->n + PART - 1) / PART
+              : 0,
+      .diag = diag};
+  enum ph_status status = share_cubics(&shares);
+  struct cubics sum;
+  if (status != PH_OK) {
+    return status;
   }
-  if (!ph_diagnostics_asked(diagnostics, ENERGIES | PH_BIT(PH_D_LOOPS) |
-                                             PH_BIT(PH_D_MAX_CURVATURE))) {
+  if (shares.crossings) {
+    ph_diagnostics_set(diagnostics, PH_D_SIMPLE,
+                       shares.cross.simple &&
+                           diagnostics->value[PH_D_REGULAR] > 0);
+  }
+  if (!shares.parts_n) {
     return PH_OK;
   }
-  for (size_t k = 0; k < curve->n; k++) {
-    add_cubic(&sum, curve, unit.root, k);
-  }
+  sum = shares.part.cubics[0];
   ph_diagnostics_set(diagnostics, PH_D_LOOPS, (double)sum.loops);
   if (!sum.stands_still) {
     /* Both are inverses of a length. */

@@ -66,7 +66,6 @@ static enum ph_status add_beziers(const struct ph_curve *curve, double up,
                                   struct ph_arena *arena, struct ph_sum *sum,
                                   struct ph_diag *diag) {
   const size_t n = curve->degree, parts_n = (curve->n + PART - 1) / PART;
-  atomic_int *spare = arena->budget ? arena->budget->spare : NULL;
   struct beziers b = {.curve = curve, .up = up};
   b.part = ph_arena_array(arena, parts_n, sizeof *b.part);
   if (!b.part) {
@@ -78,11 +77,9 @@ static enum ph_status add_beziers(const struct ph_curve *curve, double up,
           binomial(n, i) * binomial(n - 1, j) / binomial(2 * n - 1, i + j) / 4;
     }
   }
-  ph_team_spread(spare, ph_team_take(spare, parts_n / WORTH), curve->n, PART,
-                 add_part, &b);
+  ph_team_share(arena, curve->n, WORTH * PART, PART, add_part, &b);
   for (size_t i = 0; i < parts_n; i++) {
-    ph_sum_add(sum, b.part[i].high);
-    ph_sum_add(sum, b.part[i].low);
+    ph_sum_join(sum, &b.part[i]);
   }
   return PH_OK;
 }

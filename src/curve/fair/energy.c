@@ -339,17 +339,12 @@ void ph_energy_part_add(struct ph_energy_part *part,
   }
 }
 
-static void join(struct ph_sum *sum, const struct ph_sum *more) {
-  ph_sum_add(sum, more->high);
-  ph_sum_add(sum, more->low);
-}
-
 void ph_energy_part_join(struct ph_energy_part *part,
                          const struct ph_energy_part *next) {
-  join(&part->sum.bending, &next->sum.bending);
-  join(&part->sum.varying, &next->sum.varying);
-  join(&part->rotation, &next->rotation);
-  join(&part->absolute, &next->absolute);
+  ph_sum_join(&part->sum.bending, &next->sum.bending);
+  ph_sum_join(&part->sum.varying, &next->sum.varying);
+  ph_sum_join(&part->rotation, &next->rotation);
+  ph_sum_join(&part->absolute, &next->absolute);
   part->still |= next->still;
 }
 

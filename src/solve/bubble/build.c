@@ -129,7 +129,6 @@ static bool weave(void *context, size_t thread, size_t first, size_t end) {
 
 static enum ph_status set_ribbons(struct builder *b) {
   const struct ph_bubble_data *d = b->data;
-  atomic_int *spare = b->arena->budget ? b->arena->budget->spare : NULL;
   struct weaver w = {.b = b};
   size_t e;
   b->ribbons = ph_arena_array(b->arena, d->mesh.edges_n, sizeof *b->ribbons);
@@ -141,8 +140,7 @@ static enum ph_status set_ribbons(struct builder *b) {
     ph_ribbon_rows_at(d->continuity, (double)i / (PLACES - 1), 0, &w.rows[i]);
   }
   atomic_init(&w.fault, SIZE_MAX);
-  ph_team_spread(spare, ph_team_take(spare, d->mesh.edges_n / WORTH),
-                 d->mesh.edges_n, CHUNK, weave, &w);
+  ph_team_share(b->arena, d->mesh.edges_n, WORTH, CHUNK, weave, &w);
   e = atomic_load(&w.fault);
   if (e < SIZE_MAX) {
     const struct ph_mesh_edge *edge = &d->mesh.edge[e];

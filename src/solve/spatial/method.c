@@ -390,10 +390,8 @@ static bool find_some(void *context, size_t thread, size_t first, size_t end) {
 static void find_block(struct block *b, size_t n) {
   const struct task *t = b->task;
   const bool takes = !t->angles && t->criterion->functional;
-  atomic_int *spare =
-      t->scratch->budget && !takes ? t->scratch->budget->spare : NULL;
-  ph_team_spread(spare, ph_team_take(spare, n / WORTH), n, takes ? 1 : CHUNK,
-                 find_some, b);
+  ph_team_share(t->scratch, n, takes ? n + 1 : WORTH, takes ? 1 : CHUNK,
+                find_some, b);
 }
 
 /* Where the curve goes on: the frame at its end, and its length. */

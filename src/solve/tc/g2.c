@@ -250,6 +250,9 @@ static void begin_with_data(struct builder *b) {
   const size_t n = curve->n, number = sizeof(double);
   const size_t by = b->intervals[0].first;
   size_t joints = 0, added = 0;
+  if (by == 0) {
+    return;
+  }
   turn(curve->control_points, n, 8 * number, by);
   turn(curve->preimage.v, n, 4 * number, by);
   turn(curve->lengths, n, number, by);

@@ -24,6 +24,7 @@
 #ifndef PH_SOLVE_TC_G2_H
 #define PH_SOLVE_TC_G2_H
 
+#include "base/team.h"
 #include "solve/tc/tc.h"
 
 /* ---- one span ------------------------------------------------------------ */
@@ -167,6 +168,19 @@ enum ph_status ph_g2_add(const struct ph_g2_chain *chain,
 enum ph_status ph_g2_plan(struct ph_g2_chain *chain, double most, bool may_add,
                           struct ph_arena *arena, struct ph_diag *diag);
 
+/* Long chains are gone through in parts of so many nodes; so many, 2 ms or
+ * more, are worth another thread. */
+enum { PH_G2_PART = 1024, PH_G2_WORTH = 4096 };
+
+/* ph_g2_share: work for n nodes, spans or intervals by the threads that the
+ * arena knows of (ph_team_share). */
+static inline void ph_g2_share(const struct ph_arena *arena, size_t n,
+                               bool (*work)(void *context, size_t thread,
+                                            size_t first, size_t end),
+                               void *context) {
+  ph_team_share(arena, n, PH_G2_WORTH, PH_G2_PART, work, context);
+}
+
 /* ---- the system ---------------------------------------------------------- */
 
 /* The rule for an end whose tangent is not given. */
@@ -188,6 +202,19 @@ enum ph_status ph_g2_solve(const struct ph_g2_chain *chain,
                            enum ph_g2_rule rule, struct ph_arena *arena,
                            struct ph_g2_solution *solution,
                            struct ph_diag *diag);
+
+/*
+ * ph_g2_find: what stands between the points of a chain, and its angles, with
+ * more points where that makes it fairer, or is needed.
+ *
+ * in    may_add  whether points may be added
+ * inout chain    that of ph_g2_chain_of, and the one that was found
+ * ret   as ph_g2_plan and ph_g2_solve
+ */
+enum ph_status ph_g2_find(struct ph_g2_chain *chain, bool may_add,
+                          enum ph_g2_rule rule, struct ph_arena *arena,
+                          struct ph_g2_solution *solution,
+                          struct ph_diag *diag);
 
 /* ---- parts --------------------------------------------------------------- */
 

@@ -2,10 +2,6 @@
 /*
  * Curvature-continuous splines in parts (see g2.h).
  *
- * Cubics of the solution that turn by more than 2 pi/3 get a point at the apex
- * of their tangents, and the data are solved again: such cubics are long loops
- * beside which the curve could be much fairer.
- *
  * Where chords of very different lengths meet large turns, or flat points are
  * beside sharp ones, the curvature must be large so that it can be the same on
  * both sides.  So energy times length is compared with that of the mode spline;
@@ -20,11 +16,6 @@
 #include <math.h>
 #include <string.h>
 
-/* A cubic that turns by more gets a point; how often this is done: once or not
- * at all, but for a handful of data. */
-static const double TURN = 2 * PH_PI / 3;
-enum { LOOPS_MAX = 6 };
-
 /* Energy times length may be larger by this than that of the mode spline. */
 static const double WORSE = 1.1;
 
@@ -36,153 +27,6 @@ static const double ALIKE = 1e-9;
 
 /* Rounds of pairs: in the last all intervals get them. */
 enum { ROUNDS_MAX = 12 };
-
-/* ---- solutions ----------------------------------------------------------- */
-
-/* Points over cubics that turn too much.  ret NULL when memory is exhausted */
-static struct ph_g2_apex *loops_of(const struct ph_g2_chain *chain,
-                                   const struct ph_g2_solution *s,
-                                   struct ph_arena *arena, size_t *n) {
-  struct ph_g2_apex *apex = ph_arena_array(arena, chain->n, sizeof *apex);
-  *n = 0;
-  for (size_t i = 0; apex && i < chain->n; i++) {
-    if (chain->span[i].form == PH_G2_ARC && s->a[i] + s->b[i] > TURN) {
-      apex[(*n)++] = (struct ph_g2_apex){
-          i, {s->a[i] / 2, s->b[i] / 2}, chain->span[i].sense};
-    }
-  }
-  return apex;
-}
-
-/* A chain into other memory.  ret false: it is exhausted */
-static bool move_chain(struct ph_g2_chain *chain, struct ph_arena *arena) {
-  struct ph_g2_node *node = ph_arena_array(arena, chain->nodes_n, sizeof *node);
-  struct ph_g2_span *span = ph_arena_array(arena, chain->n, sizeof *span);
-  if (!node || !span) {
-    return false;
-  }
-  memcpy(node, chain->node, chain->nodes_n * sizeof *node);
-  memcpy(span, chain->span, chain->n * sizeof *span);
-  chain->node = node;
-  chain->span = span;
-  return true;
-}
-
-/* What stands between the points of a chain; what it takes to find that is
- * gone after it. */
-static enum ph_status plan(struct ph_g2_chain *chain, double turns,
-                           bool may_add, struct ph_arena *arena,
-                           struct ph_diag *diag) {
-  struct ph_arena work = ph_arena_beside(arena);
-  enum ph_status status = ph_g2_plan(chain, turns, may_add, &work, diag);
-  if (status == PH_OK && !move_chain(chain, arena)) {
-    status = ph_fail_memory(diag);
-  }
-  ph_arena_free(&work);
-  return status;
-}
-
-/* The same, and the angles; with more points if that fails. */
-static enum ph_status plan_and_solve(struct ph_g2_chain *chain, bool may_add,
-                                     enum ph_g2_rule rule,
-                                     struct ph_arena *arena,
-                                     struct ph_g2_solution *s,
-                                     struct ph_diag *diag) {
-  const struct ph_g2_chain given = *chain;
-  enum ph_status status = plan(chain, PH_G2_TURNS, may_add, arena, diag);
-  if (status == PH_OK) {
-    status = ph_g2_solve(chain, rule, arena, s, diag);
-  }
-  if (status == PH_E_NO_CONVERGENCE && may_add && !ph_arena_late(arena)) {
-    *chain = given;
-    status = plan(chain, PH_G2_TURNS_SAFE, true, arena, diag);
-    if (status == PH_OK) {
-      status = ph_g2_solve(chain, rule, arena, s, diag);
-    }
-  }
-  return status;
-}
-
-/* A chain with its solution, in memory of its own. */
-struct solved {
-  struct ph_g2_chain chain;
-  struct ph_g2_solution solution;
-  struct ph_arena arena;
-};
-
-/* Into `next`, the solution with points over the cubics of `last` that turn too
- * much.  ret false: there are none, or (*status) memory is exhausted, or there
- * is no solution */
-static bool lengthen(const struct solved *last, enum ph_g2_rule rule,
-                     struct solved *next, enum ph_status *status,
-                     struct ph_diag *diag) {
-  struct ph_diag why;
-  size_t n;
-  struct ph_g2_apex *apex =
-      loops_of(&last->chain, &last->solution, &next->arena, &n);
-  if (!apex) {
-    *status = ph_fail_memory(diag);
-    return false;
-  }
-  if (n == 0) {
-    return false;
-  }
-  next->solution = (struct ph_g2_solution){.iterations = 0};
-  *status = ph_g2_add(&last->chain, apex, n, &next->arena, &next->chain, diag);
-  if (*status != PH_OK || plan_and_solve(&next->chain, true, rule, &next->arena,
-                                         &next->solution, &why) != PH_OK) {
-    return false;
-  }
-  next->solution.iterations += last->solution.iterations;
-  return true;
-}
-
-/* What was found, into the caller's memory. */
-static enum ph_status hand_over(const struct solved *found,
-                                struct ph_arena *arena,
-                                struct ph_g2_chain *chain,
-                                struct ph_g2_solution *s,
-                                struct ph_diag *diag) {
-  const size_t n = found->chain.n;
-  double *angles = ph_arena_array(arena, n, 2 * sizeof *angles);
-  *chain = found->chain;
-  if (!angles || !move_chain(chain, arena)) {
-    return ph_fail_memory(diag);
-  }
-  memcpy(angles, found->solution.a, n * sizeof *angles);
-  memcpy(angles + n, found->solution.b, n * sizeof *angles);
-  *s = found->solution;
-  s->a = angles;
-  s->b = angles + n;
-  return PH_OK;
-}
-
-/* With points over cubics that turn too much, as long as there is a solution
- * with them.  Of all that is tried no more than two are in memory. */
-static enum ph_status find(struct ph_g2_chain *chain, bool may_add,
-                           enum ph_g2_rule rule, struct ph_arena *arena,
-                           struct ph_g2_solution *s, struct ph_diag *diag) {
-  struct solved tried[2] = {{.chain = *chain, .arena = ph_arena_beside(arena)},
-                            {.arena = ph_arena_beside(arena)}};
-  struct solved *last = &tried[0], *next = &tried[1];
-  enum ph_status status = plan_and_solve(&last->chain, may_add, rule,
-                                         &last->arena, &last->solution, diag);
-  chain->stuck = last->chain.stuck;
-  for (size_t round = 0; status == PH_OK && may_add && round < LOOPS_MAX &&
-                         lengthen(last, rule, next, &status, diag);
-       round++) {
-    struct solved *before = last;
-    last = next;
-    next = before;
-    ph_arena_reset(&next->arena);
-  }
-  ph_arena_free(&next->arena);
-  if (status == PH_OK) {
-    status = hand_over(last, arena, chain, s, diag);
-  }
-  ph_arena_free(&last->arena);
-  return status;
-}
 
 /* ---- measures ------------------------------------------------------------ */
 
@@ -203,8 +47,9 @@ static struct bent bent_of(double a, double b, double chord) {
   return m;
 }
 
-static struct bent span_bent(const struct ph_g2_span *span, double a,
-                             double b) {
+static struct bent span_bent(const struct ph_g2_part *part, size_t i) {
+  const struct ph_g2_span *span = &part->chain.span[i];
+  const double a = part->solution.a[i], b = part->solution.b[i];
   const double chord = span->length;
   struct bent m = {0, chord};
   if (span->form == PH_G2_ARC) {
@@ -229,6 +74,7 @@ struct search {
   struct ph_arena *arena;
   struct ph_diag *diag;
   struct bent *pair, *here; /* [n] of the pair of the mode spline; as it is */
+  atomic_bool no_pair;      /* an interval has none */
   struct bent pairs;        /* the sum */
   unsigned char *mark;      /* [n] whether the interval gets its pair */
   size_t start;             /* of closed data the first that got one */
@@ -236,17 +82,32 @@ struct search {
   unsigned char *loose;     /* [points] of the chains */
 };
 
-/* The pairs of all intervals.  ret false: the mode spline has no curve */
-static bool measure_pairs(struct search *s) {
+static bool measure_some_pairs(void *context, size_t thread, size_t first,
+                               size_t end) {
+  struct search *s = context;
   struct ph_diag why;
   struct ph_tc_fit fit;
-  s->pairs = (struct bent){0, 0};
-  for (size_t k = 0; k < s->data->n; k++) {
+  (void)thread;
+  for (size_t k = first; k < end; k++) {
     double chord = s->spline->chord[k];
     if (ph_tc_interval(s->spline, k, &fit, &why) != PH_OK) {
+      atomic_store(&s->no_pair, true);
       return false;
     }
     s->pair[k] = (struct bent){fit.energy / chord, fit.length * chord};
+  }
+  return true;
+}
+
+/* The pairs of all intervals.  ret false: the mode spline has no curve */
+static bool measure_pairs(struct search *s) {
+  atomic_init(&s->no_pair, false);
+  ph_g2_share(s->arena, s->data->n, measure_some_pairs, s);
+  if (atomic_load(&s->no_pair)) {
+    return false;
+  }
+  s->pairs = (struct bent){0, 0};
+  for (size_t k = 0; k < s->data->n; k++) {
     add(&s->pairs, s->pair[k]);
   }
   return true;
@@ -288,8 +149,8 @@ static enum ph_status solve_part(struct search *s, struct ph_g2_part *part,
                           &part->chain, diag);
   part->chain.loose = s->loose;
   if (status == PH_OK) {
-    status = find(&part->chain, s->may_add, s->rule, s->arena, &part->solution,
-                  diag);
+    status = ph_g2_find(&part->chain, s->may_add, s->rule, s->arena,
+                        &part->solution, diag);
   }
   part->solved = status == PH_OK;
   if (status == PH_E_NO_CONVERGENCE && ph_arena_late(s->arena)) {
@@ -300,8 +161,26 @@ static enum ph_status solve_part(struct search *s, struct ph_g2_part *part,
                                                      : PH_OK;
 }
 
-/* Energies and lengths of the intervals of a part. */
-static void measure_part(struct search *s, const struct ph_g2_part *part) {
+/* Spans of a part that are measured. */
+struct measured {
+  const struct ph_g2_part *part;
+  struct bent *span; /* [n] */
+};
+
+static bool measure_spans(void *context, size_t thread, size_t first,
+                          size_t end) {
+  const struct measured *m = context;
+  (void)thread;
+  for (size_t i = first; i < end; i++) {
+    m->span[i] = span_bent(m->part, i);
+  }
+  return true;
+}
+
+/* Energies and lengths of the intervals of a part; spans of a long one are
+ * measured before. */
+static void add_spans(struct search *s, const struct ph_g2_part *part,
+                      const struct bent *spans) {
   size_t at = part->first;
   if (part->pair) {
     s->here[at] = s->pair[at];
@@ -312,8 +191,7 @@ static void measure_part(struct search *s, const struct ph_g2_part *part) {
   }
   for (size_t i = 0; i < part->chain.n; i++) {
     size_t next = ph_g2_next(&part->chain, i);
-    add(&s->here[at], span_bent(&part->chain.span[i], part->solution.a[i],
-                                part->solution.b[i]));
+    add(&s->here[at], spans ? spans[i] : span_bent(part, i));
     if (part->chain.span[i].form == PH_G2_LINE) {
       s->line[at] = s->line[around(s, at + 1)] = 1;
     }
@@ -321,6 +199,19 @@ static void measure_part(struct search *s, const struct ph_g2_part *part) {
       at = around(s, at + 1);
     }
   }
+}
+
+static void measure_part(struct search *s, const struct ph_g2_part *part) {
+  const struct ph_mark mark = ph_arena_mark(s->arena);
+  struct measured m = {.part = part};
+  if (!part->pair && part->chain.n >= PH_G2_WORTH) {
+    m.span = ph_arena_array(s->arena, part->chain.n, sizeof *m.span);
+  }
+  if (m.span) {
+    ph_g2_share(s->arena, part->chain.n, measure_spans, &m);
+  }
+  add_spans(s, part, m.span);
+  ph_arena_release(s->arena, mark);
 }
 
 /* How much shorter the chord of interval i is than one beside it. */

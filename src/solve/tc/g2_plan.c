@@ -64,19 +64,24 @@ static bool is_straight(const struct ph_g2_chain *chain, size_t k) {
   return !(fabs(node->turn) > fmax(STRAIGHT, before + after));
 }
 
-/* Chords and turns, from the points. */
-static void measure(struct ph_g2_chain *chain) {
-  for (size_t i = 0; i < chain->n; i++) {
+static bool set_chords(void *context, size_t thread, size_t first, size_t end) {
+  const struct ph_g2_chain *chain = context;
+  (void)thread;
+  for (size_t i = first; i < end; i++) {
+    const struct ph_g2_node *a = &chain->node[i];
+    const struct ph_g2_node *b = &chain->node[ph_g2_next(chain, i)];
     struct ph_g2_span *s = &chain->span[i];
-    s->chord =
-        ph_cplx_sub(chain->node[ph_g2_next(chain, i)].p, chain->node[i].p);
+    s->chord = ph_cplx_sub(b->p, a->p);
     s->length = hypot(s->chord.re, s->chord.im);
-    s->off = DBL_EPSILON *
-             (coordinate(chain->node[i].p) +
-              coordinate(chain->node[ph_g2_next(chain, i)].p)) /
-             s->length;
+    s->off = DBL_EPSILON * (coordinate(a->p) + coordinate(b->p)) / s->length;
   }
-  for (size_t k = 0; k < chain->nodes_n; k++) {
+  return true;
+}
+
+static bool set_turns(void *context, size_t thread, size_t first, size_t end) {
+  const struct ph_g2_chain *chain = context;
+  (void)thread;
+  for (size_t k = first; k < end; k++) {
     struct ph_g2_node *node = &chain->node[k];
     node->inner = chain->closed || (k > 0 && k + 1 < chain->nodes_n);
     node->turn = 0;
@@ -92,6 +97,14 @@ static void measure(struct ph_g2_chain *chain) {
                                : node->turn > 0      ? 1
                                                      : -1);
   }
+  return true;
+}
+
+/* Chords and turns, from the points; a long chain by the threads that the arena
+ * knows of. */
+static void measure(struct ph_g2_chain *chain, const struct ph_arena *arena) {
+  ph_g2_share(arena, chain->n, set_chords, chain);
+  ph_g2_share(arena, chain->nodes_n, set_turns, chain);
 }
 
 enum ph_status ph_g2_chain_of(const struct ph_tc_data *data, size_t first,
@@ -117,7 +130,7 @@ enum ph_status ph_g2_chain_of(const struct ph_tc_data *data, size_t first,
                                   ph_pow2_apply(data->to_unit, p.im)},
                             .datum = datum};
   }
-  measure(chain);
+  measure(chain, arena);
   return PH_OK;
 }
 
@@ -148,7 +161,7 @@ enum ph_status ph_g2_add(const struct ph_g2_chain *chain,
     }
   }
   *grown = longer;
-  measure(grown);
+  measure(grown, arena);
   return PH_OK;
 }
 

@@ -1,0 +1,165 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The curve of a chain (see g2.h).
+ *
+ * Cubics of the solution that turn by more than 2 pi/3 get a point at the apex
+ * of their tangents, and the data are solved again: such cubics are long loops
+ * beside which the curve could be much fairer.
+ */
+#include "solve/tc/g2.h"
+
+#include "kernel/pi.h"
+
+#include <string.h>
+
+/* A cubic that turns by more gets a point; how often this is done: once or not
+ * at all, but for a handful of data. */
+static const double TURN = 2 * PH_PI / 3;
+enum { LOOPS_MAX = 6 };
+
+/* ---- solutions ----------------------------------------------------------- */
+
+/* Points over cubics that turn too much.  ret NULL when memory is exhausted */
+static struct ph_g2_apex *loops_of(const struct ph_g2_chain *chain,
+                                   const struct ph_g2_solution *s,
+                                   struct ph_arena *arena, size_t *n) {
+  struct ph_g2_apex *apex = ph_arena_array(arena, chain->n, sizeof *apex);
+  *n = 0;
+  for (size_t i = 0; apex && i < chain->n; i++) {
+    if (chain->span[i].form == PH_G2_ARC && s->a[i] + s->b[i] > TURN) {
+      apex[(*n)++] = (struct ph_g2_apex){
+          i, {s->a[i] / 2, s->b[i] / 2}, chain->span[i].sense};
+    }
+  }
+  return apex;
+}
+
+/* A chain into other memory.  ret false: it is exhausted */
+static bool move_chain(struct ph_g2_chain *chain, struct ph_arena *arena) {
+  struct ph_g2_node *node = ph_arena_array(arena, chain->nodes_n, sizeof *node);
+  struct ph_g2_span *span = ph_arena_array(arena, chain->n, sizeof *span);
+  if (!node || !span) {
+    return false;
+  }
+  memcpy(node, chain->node, chain->nodes_n * sizeof *node);
+  memcpy(span, chain->span, chain->n * sizeof *span);
+  chain->node = node;
+  chain->span = span;
+  return true;
+}
+
+/* What stands between the points of a chain; what it takes to find that is
+ * gone after it. */
+static enum ph_status plan(struct ph_g2_chain *chain, double turns,
+                           bool may_add, struct ph_arena *arena,
+                           struct ph_diag *diag) {
+  struct ph_arena work = ph_arena_beside(arena);
+  enum ph_status status = ph_g2_plan(chain, turns, may_add, &work, diag);
+  if (status == PH_OK && !move_chain(chain, arena)) {
+    status = ph_fail_memory(diag);
+  }
+  ph_arena_free(&work);
+  return status;
+}
+
+/* The same, and the angles; with more points if that fails. */
+static enum ph_status plan_and_solve(struct ph_g2_chain *chain, bool may_add,
+                                     enum ph_g2_rule rule,
+                                     struct ph_arena *arena,
+                                     struct ph_g2_solution *s,
+                                     struct ph_diag *diag) {
+  const struct ph_g2_chain given = *chain;
+  enum ph_status status = plan(chain, PH_G2_TURNS, may_add, arena, diag);
+  if (status == PH_OK) {
+    status = ph_g2_solve(chain, rule, arena, s, diag);
+  }
+  if (status == PH_E_NO_CONVERGENCE && may_add && !ph_arena_late(arena)) {
+    *chain = given;
+    status = plan(chain, PH_G2_TURNS_SAFE, true, arena, diag);
+    if (status == PH_OK) {
+      status = ph_g2_solve(chain, rule, arena, s, diag);
+    }
+  }
+  return status;
+}
+
+/* A chain with its solution, in memory of its own. */
+struct solved {
+  struct ph_g2_chain chain;
+  struct ph_g2_solution solution;
+  struct ph_arena arena;
+};
+
+/* Into `next`, the solution with points over the cubics of `last` that turn too
+ * much.  ret false: there are none, or (*status) memory is exhausted, or there
+ * is no solution */
+static bool lengthen(const struct solved *last, enum ph_g2_rule rule,
+                     struct solved *next, enum ph_status *status,
+                     struct ph_diag *diag) {
+  struct ph_diag why;
+  size_t n;
+  struct ph_g2_apex *apex =
+      loops_of(&last->chain, &last->solution, &next->arena, &n);
+  if (!apex) {
+    *status = ph_fail_memory(diag);
+    return false;
+  }
+  if (n == 0) {
+    return false;
+  }
+  next->solution = (struct ph_g2_solution){.iterations = 0};
+  *status = ph_g2_add(&last->chain, apex, n, &next->arena, &next->chain, diag);
+  if (*status != PH_OK || plan_and_solve(&next->chain, true, rule, &next->arena,
+                                         &next->solution, &why) != PH_OK) {
+    return false;
+  }
+  next->solution.iterations += last->solution.iterations;
+  return true;
+}
+
+/* What was found, into the caller's memory. */
+static enum ph_status hand_over(const struct solved *found,
+                                struct ph_arena *arena,
+                                struct ph_g2_chain *chain,
+                                struct ph_g2_solution *s,
+                                struct ph_diag *diag) {
+  const size_t n = found->chain.n;
+  double *angles = ph_arena_array(arena, n, 2 * sizeof *angles);
+  *chain = found->chain;
+  if (!angles || !move_chain(chain, arena)) {
+    return ph_fail_memory(diag);
+  }
+  memcpy(angles, found->solution.a, n * sizeof *angles);
+  memcpy(angles + n, found->solution.b, n * sizeof *angles);
+  *s = found->solution;
+  s->a = angles;
+  s->b = angles + n;
+  return PH_OK;
+}
+
+/* With points over cubics that turn too much, as long as there is a solution
+ * with them.  Of all that is tried no more than two are in memory. */
+enum ph_status ph_g2_find(struct ph_g2_chain *chain, bool may_add,
+                          enum ph_g2_rule rule, struct ph_arena *arena,
+                          struct ph_g2_solution *s, struct ph_diag *diag) {
+  struct solved tried[2] = {{.chain = *chain, .arena = ph_arena_beside(arena)},
+                            {.arena = ph_arena_beside(arena)}};
+  struct solved *last = &tried[0], *next = &tried[1];
+  enum ph_status status = plan_and_solve(&last->chain, may_add, rule,
+                                         &last->arena, &last->solution, diag);
+  chain->stuck = last->chain.stuck;
+  for (size_t round = 0; status == PH_OK && may_add && round < LOOPS_MAX &&
+                         lengthen(last, rule, next, &status, diag);
+       round++) {
+    struct solved *before = last;
+    last = next;
+    next = before;
+    ph_arena_reset(&next->arena);
+  }
+  ph_arena_free(&next->arena);
+  if (status == PH_OK) {
+    status = hand_over(last, arena, chain, s, diag);
+  }
+  ph_arena_free(&last->arena);
+  return status;
+}
