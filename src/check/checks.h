@@ -115,6 +115,20 @@ void ph_check_gaps(struct ph_check *v, const struct ph_offset *offset,
 ph_vec3 ph_check_rational(const double *b, size_t n, size_t dimension,
                           const double *p, const double *w);
 
+/* Both who claims the greatest distance of pieces and who checks it look for it
+ * between places (kernel/golden.h): so many times as far they may be. */
+#define PH_CHECK_CLOSELY 1.001
+
+/*
+ * ph_check_closely: a piece at equal places, and where its distance is greatest
+ * between them, if it is an approximation.
+ *
+ * in   check  reports what is wrong at x in [0,1]; ret  the distance there
+ * in   error  the greatest that is claimed, at unit scale
+ */
+void ph_check_closely(double (*check)(const void *piece, double x),
+                      const void *piece, double error);
+
 /* ph_check_nurbs: B-splines of the curve, or of the offset that they are of. */
 void ph_check_nurbs(struct ph_check *v, const struct ph_splines *of,
                     const struct ph_check_path *beside);

@@ -14,10 +14,6 @@
  * degrees. */
 enum { PLACES = 20, DEGREE_MAX = 15 };
 
-/* The greatest distance is looked for between places, too (offset.c). */
-static const double CLOSELY = 1.001, NEARLY = 0.8;
-enum { STEPS = 24 };
-
 static bool wrong(struct ph_check *v, size_t i, const char *member,
                   const char *what) {
   ph_check_wrong(v, PH_CHECK_NURBS, ph_check_of("nurbs", i, member), what);
@@ -136,40 +132,29 @@ static struct ph_check_local local_of(const struct piece *piece, double x) {
   return ph_check_local_at(&piece->walk->path, u < 0 ? 0 : u > 1 ? 1 : u);
 }
 
-static double less_at(const void *context, double x) {
+static double check_at(const void *context, double x) {
   const struct piece *piece = context;
-  const struct ph_check_local at = local_of(piece, x);
-  const ph_vec3 found = point_of(piece->walk->v, piece->s, piece->i, x);
-  return isnan(at.point.x) ? 0 : -ph_check_apart(found, at.point);
-}
-
-static void check_at(const struct piece *piece, double x) {
   struct ph_check *v = piece->walk->v;
   const double *of = v->curve->knots + piece->walk->k;
   const struct ph_check_local at = local_of(piece, x);
-  if (!isnan(at.point.x)) {
-    compare(v, piece->chain, point_of(v, piece->s, piece->i, x), at.point,
-            at.point_error + at.speed * v->knot / (of[1] - of[0]) +
-                CLOSELY * ph_check_scaled(v, piece->s->error));
+  const ph_vec3 found = point_of(v, piece->s, piece->i, x);
+  if (isnan(at.point.x)) {
+    return 0;
   }
+  compare(v, piece->chain, found, at.point,
+          at.point_error + at.speed * v->knot / (of[1] - of[0]) +
+              PH_CHECK_CLOSELY * ph_check_scaled(v, piece->s->error));
+  return ph_check_apart(found, at.point);
 }
 
-static void check_piece(const struct piece *piece) {
-  const double least =
-      NEARLY * ph_check_scaled(piece->walk->v, piece->s->error);
-  double error[PLACES + 1];
-  for (size_t i = 0; i <= PLACES; i++) {
-    check_at(piece, (double)i / PLACES);
-    error[i] = least > 0 ? -less_at(piece, (double)i / PLACES) : 0;
+void ph_check_closely(double (*check)(const void *piece, double x),
+                      const void *piece, double error) {
+  if (error > 0) {
+    ph_golden_greatest(check, piece, PLACES, error);
+    return;
   }
-  for (size_t i = 1; i < PLACES; i++) {
-    if (error[i] >= error[i - 1] && error[i] >= error[i + 1] &&
-        error[i] > least) {
-      struct ph_bracket b = {(double)(i - 1) / PLACES, (double)i / PLACES,
-                             (double)(i + 1) / PLACES, -error[i]};
-      ph_golden(less_at, piece, STEPS, &b);
-      check_at(piece, b.x);
-    }
+  for (size_t i = 0; i <= PLACES; i++) {
+    check(piece, (double)i / PLACES);
   }
 }
 
@@ -187,7 +172,8 @@ static void check_chain(struct walk *walk, const struct ph_spline *s,
     while (walk->k + 1 < n && !(middle < walk->v->curve->knots[walk->k + 1])) {
       ph_check_load(walk->v, ++walk->k, &walk->segment);
     }
-    check_piece(&(struct piece){walk, s, chain, i});
+    ph_check_closely(check_at, &(struct piece){walk, s, chain, i},
+                     ph_check_scaled(walk->v, s->error));
   }
 }
 

@@ -11,18 +11,12 @@
 #include "check/loop.h"
 
 #include "kernel/bern.h"
-#include "kernel/golden.h"
 
 #include <string.h>
 
 /* Places of a piece, more than a quotient of degree 9 has coefficients, and of
  * a segment, between which a cusp is missed. */
 enum { PLACES = 20, DEGREE_MAX = 15, SEARCH = 32 };
-
-/* Both who claims the greatest distance of a piece and who checks it look for
- * it between places, where it is more than NEARLY that; in so many steps. */
-static const double CLOSELY = 1.001, NEARLY = 0.8;
-enum { STEPS = 24 };
 
 /* A cusp is printed to rounding of its parameter; slower changes of 1 - d kappa
  * are found less exactly.  What changes its sign there is the product of two
@@ -222,13 +216,13 @@ struct bezier {
   size_t i;
 };
 
-static double bezier_error(const struct bezier *piece, double x,
-                           double *allowed) {
+static double check_bezier_at(const void *context, double x) {
+  const struct bezier *piece = context;
   struct context *c = piece->c;
   const struct ph_pieces *of = &c->o->pieces;
   const double *in = of->interval + 2 * piece->i;
-  size_t n = of->degree + 1, d = of->dimension;
-  double b[DEGREE_MAX + 1];
+  const size_t n = of->degree + 1, d = of->dimension;
+  double b[DEGREE_MAX + 1], error;
   struct ph_check_local at;
   ph_vec3 found;
   ph_bern_basis(of->degree, x, b);
@@ -236,41 +230,13 @@ static double bezier_error(const struct bezier *piece, double x,
       c->v,
       ph_check_rational(b, n, d, of->control_points + n * d * piece->i, NULL));
   at = local_of(c, in[0] + x * (in[1] - in[0]), found);
-  *allowed = at.point_error + CLOSELY * ph_check_scaled(c->v, of->error);
-  return ph_check_apart(found, at.point);
-}
-
-static double check_bezier_at(const struct bezier *piece, double x) {
-  double allowed, error = bezier_error(piece, x, &allowed);
-  ph_check_miss(piece->c->v, PH_CHECK_OFFSET,
-                ph_check_of("beziers", piece->i, "control_points"), error,
-                piece->c->v->scale.size, allowed, "are farther than they say");
+  error = ph_check_apart(found, at.point);
+  ph_check_miss(
+      c->v, PH_CHECK_OFFSET, ph_check_of("beziers", piece->i, "control_points"),
+      error, c->v->scale.size,
+      at.point_error + PH_CHECK_CLOSELY * ph_check_scaled(c->v, of->error),
+      "are farther than they say");
   return error;
-}
-
-static double less_at(const void *piece, double x) {
-  double allowed;
-  return -bezier_error(piece, x, &allowed);
-}
-
-/* A piece at equal places, and between these where it is farther away than on
- * both sides, and nearly as far as it may be. */
-static void check_bezier(const struct bezier *piece) {
-  const double least =
-      NEARLY * ph_check_scaled(piece->c->v, piece->c->o->pieces.error);
-  double error[PLACES + 1];
-  for (size_t i = 0; i <= PLACES; i++) {
-    error[i] = check_bezier_at(piece, (double)i / PLACES);
-  }
-  for (size_t i = 1; i < PLACES; i++) {
-    if (error[i] >= error[i - 1] && error[i] >= error[i + 1] &&
-        error[i] > least) {
-      struct ph_bracket b = {(double)(i - 1) / PLACES, (double)i / PLACES,
-                             (double)(i + 1) / PLACES, -error[i]};
-      ph_golden(less_at, piece, STEPS, &b);
-      check_bezier_at(piece, b.x);
-    }
-  }
 }
 
 /* Bezier pieces against the offset, within their error. */
@@ -290,7 +256,7 @@ static void check_beziers(struct context *c) {
       enter(c, of->segment[i]);
       slow_n = slow_places(&c->segment, slow);
     }
-    check_bezier(&piece);
+    ph_check_closely(check_bezier_at, &piece, ph_check_scaled(v, of->error));
     for (size_t place = 0; place < slow_n; place++) {
       if (slow[place] > in[0] && slow[place] < in[1]) {
         check_bezier_at(&piece, (slow[place] - in[0]) / (in[1] - in[0]));

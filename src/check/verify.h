@@ -10,9 +10,9 @@
  * by quadrature.  tests/lint/layers.sh sees to that.
  *
  * With solve/ and curve/ it shares kernel: algebra, Bernstein forms, s2.h,
- * degree.h, Gauss nodes, pow2.h, boxtree.h; certificates also the layout of
- * band matrices, and the halves of forms.  One derivation stands in both, in
- * code of its own: the bound of the distance of cubics (tc_distance.h,
+ * degree.h, Gauss nodes, pow2.h, boxtree.h, golden.h; certificates also the
+ * layout of band matrices, and the halves of forms.  One derivation stands in
+ * both, in code of its own: the bound of the distance of cubics (tc_distance.h,
  * solve/tc/approx.h), which verify does not use: distance.c looks for far
  * points.
  *

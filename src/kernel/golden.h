@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The least value of a function of one variable between two places. */
+/* Least and greatest values of functions of one variable between places. */
 #ifndef PH_KERNEL_GOLDEN_H
 #define PH_KERNEL_GOLDEN_H
+
+#include <stddef.h>
 
 /* x within [low, high], where f is value and no more than at either end. */
 struct ph_bracket {
@@ -16,5 +18,17 @@ struct ph_bracket {
  */
 void ph_golden(double (*f)(const void *context, double x), const void *context,
                int steps, struct ph_bracket *bracket);
+
+/*
+ * ph_golden_greatest: the greatest value of f on [0,1]: of n + 1 equal places,
+ * and, to 1e-8 of what lies between them, of the peaks between: where f is no
+ * less than at the places on both sides, and more than 0.8 of the greatest that
+ * was seen.
+ *
+ * in   seen  what was seen elsewhere, or is expected
+ * ret  no less than `seen'; NaN: f is that at a place
+ */
+double ph_golden_greatest(double (*f)(const void *context, double x),
+                          const void *context, size_t n, double seen);
 
 #endif

@@ -23,11 +23,10 @@ enum { CELLS = 32, STEPS = 40, DIPS = 2, SLOW = 3 * DIPS };
 /* What takes more of a segment is seen without that. */
 static const double SHORT = 0.25;
 
-/* The greatest distance of a piece is looked for where it is more than this
- * part of what it may be, or of the greatest so far: from so many places on, by
- * so many steps, which find it to 1e-8. */
+/* The greatest distance of a piece is looked for between so many places where
+ * it is more than this part of what it may be, or of the greatest so far. */
 static const double NEARLY = 0.8;
-enum { PEAKS = 16, PEAK_STEPS = 24 };
+enum { PEAKS = 16 };
 
 /* The exact curve at a parameter: position, derivatives by u.  In the plane,
  * z = 0. */
@@ -170,64 +169,40 @@ static void find_slow(struct walk *walk) {
   }
 }
 
-/* The distance from the exact curve at x in [0,1] of a part. */
-static double error_at(const struct walk *walk, const ph_vec3 p[6], double u0,
-                       double u1, double x) {
-  struct jet exact = walk->jet_at(walk, u0 + x * (u1 - u0));
-  ph_vec3 away = ph_vec3_sub(ph_hermite_at(p, 5, x), exact.r);
+/* A part of the segment, and its piece. */
+struct piece {
+  const struct walk *walk;
+  ph_vec3 p[6];
+  double u0, u1;
+};
+
+/* The distance from the exact curve at x in [0,1]. */
+static double error_at(const void *context, double x) {
+  const struct piece *piece = context;
+  const struct walk *walk = piece->walk;
+  struct jet exact =
+      walk->jet_at(walk, piece->u0 + x * (piece->u1 - piece->u0));
+  ph_vec3 away = ph_vec3_sub(ph_hermite_at(piece->p, 5, x), exact.r);
   return hypot(hypot(away.x, away.y), away.z); /* at any scale */
 }
 
 /* The greatest distance from the exact curve, or the first one seen that is not
  * within the tolerance; where it tends to be greatest it is seen first. */
-static double error_of(const struct walk *walk, const ph_vec3 p[6], double u0,
-                       double u1) {
+static double error_of(const struct piece *piece) {
   static const double at[] = {0.5, 0.375, 0.625, 0.25, 0.75, 0.125, 0.875};
   const size_t n = sizeof at / sizeof at[0];
+  const struct walk *walk = piece->walk;
   double worst = 0;
   for (size_t i = 0; i < n + walk->slow_n && worst <= walk->tolerance; i++) {
-    double x = i < n ? at[i] : (walk->slow[i - n] - u0) / (u1 - u0);
+    double x = i < n
+                   ? at[i]
+                   : (walk->slow[i - n] - piece->u0) / (piece->u1 - piece->u0);
     if (x > 0 && x < 1) {
-      double error = error_at(walk, p, u0, u1, x);
+      double error = error_at(piece, x);
       worst = error <= worst ? worst : error;
     }
   }
   return worst;
-}
-
-/* A piece, and the distance at x, with the other sign. */
-struct peak {
-  const struct walk *walk;
-  const ph_vec3 *p;
-  double u0, u1;
-};
-
-static double less_at(const void *context, double x) {
-  const struct peak *peak = context;
-  return -error_at(peak->walk, peak->p, peak->u0, peak->u1, x);
-}
-
-/* The greatest distance of a piece from the exact curve, by golden section
- * where it is no less than on both sides and near to the greatest that was
- * seen. */
-static double peak_of(const struct walk *walk, const ph_vec3 p[6], double u0,
-                      double u1, double seen) {
-  const struct peak peak = {walk, p, u0, u1};
-  double error[PEAKS + 1] = {0};
-  for (size_t i = 1; i < PEAKS; i++) {
-    error[i] = error_at(walk, p, u0, u1, (double)i / PEAKS);
-    seen = error[i] <= seen ? seen : error[i];
-  }
-  for (size_t i = 1; i < PEAKS; i++) {
-    if (error[i] >= error[i - 1] && error[i] >= error[i + 1] &&
-        error[i] > NEARLY * seen) {
-      struct ph_bracket b = {(double)(i - 1) / PEAKS, (double)i / PEAKS,
-                             (double)(i + 1) / PEAKS, -error[i]};
-      ph_golden(less_at, &peak, PEAK_STEPS, &b);
-      seen = -b.value <= seen ? seen : -b.value;
-    }
-  }
-  return seen;
 }
 
 static enum ph_status found(struct walk *walk, double u0, double u1,
@@ -261,15 +236,15 @@ static bool is_too_fast(const struct walk *walk) {
 /* Finds the parts of [u0,u1]. */
 static enum ph_status visit(struct walk *walk, const struct jet *a, double u0,
                             const struct jet *b, double u1, int depth) {
-  ph_vec3 p[6];
+  struct piece piece = {.walk = walk, .u0 = u0, .u1 = u1};
   double error, middle = 0.5 * (u0 + u1);
   struct jet m;
   enum ph_status status;
-  bezier_of(a, b, u1 - u0, p);
-  error = error_of(walk, p, u0, u1);
+  bezier_of(a, b, u1 - u0, piece.p);
+  error = error_of(&piece);
   if (error <= walk->tolerance &&
       error > NEARLY * fmin(walk->pieces->error, walk->tolerance)) {
-    error = peak_of(walk, p, u0, u1, error);
+    error = ph_golden_greatest(error_at, &piece, PEAKS, error);
   }
   if (error <= walk->tolerance) {
     return found(walk, u0, u1, error);
