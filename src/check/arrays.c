@@ -31,14 +31,20 @@ static bool wrong_in(struct ph_check *v, const char *member, const char *what) {
   return wrong(v, ph_check_of(NULL, PH_CHECK_ONE, member), what);
 }
 
+bool ph_check_is_promised(struct ph_check *v) {
+  const char *member;
+  const char *breach = ph_promise_breach(v->promise, v->curve, &member);
+  ph_check_done(v, PH_CHECK_SHAPE);
+  return !breach || wrong_in(v, member, breach);
+}
+
 /* Whether the curve is one that the command makes, with all that such a curve
  * has. */
 static bool is_of_command(struct ph_check *v) {
   const struct ph_curve *c = v->curve;
   const struct ph_promise *promise = v->promise;
-  const char *member, *breach = ph_promise_breach(promise, c, &member);
-  if (breach) {
-    return wrong_in(v, member, breach);
+  if (!ph_check_is_promised(v)) {
+    return false;
   }
   if (promise->intervals != (v->intervals_n > 0)) {
     return wrong_in(v, "intervals",
@@ -131,7 +137,6 @@ static bool is_sphere(struct ph_check *v) {
 
 bool ph_check_arrays(struct ph_check *v) {
   const struct ph_curve *c = v->curve;
-  ph_check_done(v, PH_CHECK_SHAPE);
   return is_of_command(v) && is_divided(v) &&
          are_finite(v, c->control_points, (c->degree + 1) * c->dimension,
                     "control_points") &&

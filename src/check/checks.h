@@ -9,6 +9,10 @@
 #include "check/kind.h"
 #include "kernel/quat.h"
 
+/* ph_check_is_promised: whether there is a curve of a kind, dimension and
+ * degree that the command makes; what is not is reported. */
+bool ph_check_is_promised(struct ph_check *v);
+
 /* ph_check_arrays: whether arrays, numbers and knots are such that there is a
  * curve to look at. */
 bool ph_check_arrays(struct ph_check *v);

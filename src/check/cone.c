@@ -500,12 +500,7 @@ static enum ph_status check_panorama(const struct ph_check_cone *cone) {
 enum ph_status ph_check_surface(struct ph_check *v) {
   struct ph_check_cone cone = {.v = v, .curve = v->curve};
   enum ph_status status = PH_OK;
-  const char *member, *breach;
-  ph_check_done(v, PH_CHECK_SHAPE);
-  breach = ph_promise_breach(v->promise, v->curve, &member);
-  if (breach) {
-    ph_check_wrong(v, PH_CHECK_SHAPE, ph_check_of(NULL, PH_CHECK_ONE, member),
-                   breach);
+  if (!ph_check_is_promised(v)) {
     return PH_OK;
   }
   if (is_general(v->curve)) {
