@@ -250,24 +250,30 @@ static enum ph_status bad_size(struct reader *r, size_t i, size_t dimension,
                  field, r->name == field ? "[0]" : "[0][0]", found);
 }
 
-/* Vector i, of `dimension` numbers or (0) of any allowed number of them. */
-static enum ph_status read_vector(struct reader *r, size_t i, size_t dimension,
-                                  double v[3], size_t *size) {
+/* Goes into element i of an array, one of numbers or points. */
+static enum ph_status enter(struct reader *r, size_t i, const char *of) {
   char text[PH_DIAG_FIELD_MAX];
-  double more;
-  size_t n = 0;
   if (*r->p != '[') {
     return ph_fail(r->diag, PH_E_BAD_TYPE, path(r, i, -1, text),
-                   "must be an array of numbers, found %s",
+                   "must be an array of %s, found %s", of,
                    ph_value_type(*r->p));
   }
   r->p++;
-  while (next_element(r)) {
-    enum ph_status status = read_element(r, i, (long)n, n < 3 ? &v[n] : &more);
-    if (status != PH_OK) {
-      return status;
-    }
+  return PH_OK;
+}
+
+/* Vector i, of `dimension` numbers or (0) of any allowed number of them. */
+static enum ph_status read_vector(struct reader *r, size_t i, size_t dimension,
+                                  double v[3], size_t *size) {
+  enum ph_status status = enter(r, i, "numbers");
+  double more;
+  size_t n = 0;
+  while (status == PH_OK && next_element(r)) {
+    status = read_element(r, i, (long)n, n < 3 ? &v[n] : &more);
     n++;
+  }
+  if (status != PH_OK) {
+    return status;
   }
   r->p++;
   *size = n;
@@ -313,15 +319,11 @@ static enum ph_status read_piece(struct reader *r, size_t i, size_t n_max,
   const char *name = r->name;
   size_t before = value->n;
   char text[PH_DIAG_FIELD_MAX];
-  enum ph_status status;
-  path(r, i, -1, text);
-  if (*r->p != '[') {
-    return ph_fail(r->diag, PH_E_BAD_TYPE, text,
-                   "must be an array of points, found %s",
-                   ph_value_type(*r->p));
+  enum ph_status status = enter(r, i, "points");
+  if (status != PH_OK) {
+    return status;
   }
-  r->p++;
-  r->name = text;
+  r->name = path(r, i, -1, text);
   status = add_vectors(r, n_max, value);
   r->name = name;
   r->p++;
@@ -350,32 +352,23 @@ static enum ph_status read_polyline(struct reader *r, struct ph_value *value) {
 static enum ph_status read_lists(struct reader *r, struct ph_value *value) {
   const size_t lists = count(r, '['), numbers = count(r, ',') + 1;
   double *v = ph_arena_array(r->arena, numbers, sizeof *v);
+  enum ph_status status = PH_OK;
   *value = (struct ph_value){.kind = PH_LISTS, .v = v, .dimension = 1};
   value->sizes = ph_arena_array(r->arena, lists, sizeof *value->sizes);
   if (!v || !value->sizes) {
     return ph_fail_memory(r->diag);
   }
-  while (next_element(r)) {
+  while (status == PH_OK && next_element(r)) {
     const size_t i = value->sizes_n++, before = value->n;
-    char text[PH_DIAG_FIELD_MAX];
-    if (*r->p != '[') {
-      return ph_fail(r->diag, PH_E_BAD_TYPE, path(r, i, -1, text),
-                     "must be an array of numbers, found %s",
-                     ph_value_type(*r->p));
-    }
-    r->p++;
-    while (next_element(r)) {
-      enum ph_status status =
-          read_element(r, i, (long)(value->n - before), &v[value->n]);
-      if (status != PH_OK) {
-        return status;
-      }
+    status = enter(r, i, "numbers");
+    while (status == PH_OK && next_element(r)) {
+      status = read_element(r, i, (long)(value->n - before), &v[value->n]);
       value->n++;
     }
     r->p++;
     value->sizes[i] = value->n - before;
   }
-  return PH_OK;
+  return status;
 }
 
 /* Whether the elements of an array, the first of them that is not empty,
