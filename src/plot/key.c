@@ -2,6 +2,8 @@
 /* The key of a figure (see key.h). */
 #include "plot/key.h"
 
+#include "plot/lines.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -12,7 +14,6 @@
 #define BETWEEN 1.3
 #define LETTER 0.47
 #define DOT 0.2
-#define HEAD 0.6
 
 static const char *const names[PH_KEY_N] = {
 #define X(symbol, name) name,
@@ -111,8 +112,8 @@ static void line(struct ph_page *page, struct ph_spot from, double length,
 }
 
 static void arrow(struct ph_page *page, struct ph_spot at, double em) {
-  const double tip = at.x + SAMPLE * em, h = HEAD * em;
-  line(page, at, (SAMPLE - HEAD) * em, PH_INK_TANGENT, 0.075 * em, 0);
+  const double tip = at.x + SAMPLE * em, h = PH_LINE_HEAD * em;
+  line(page, at, SAMPLE * em - h, PH_INK_TANGENT, PH_LINE_ARROW * em, 0);
   ph_page_move(page, (struct ph_spot){tip, at.y});
   ph_page_line(page, (struct ph_spot){tip - h, at.y - 0.3 * h});
   ph_page_line(page, (struct ph_spot){tip - 0.8 * h, at.y});
@@ -121,21 +122,20 @@ static void arrow(struct ph_page *page, struct ph_spot at, double em) {
   ph_page_fill(page);
 }
 
-/* A line right across: the inks and widths, in ems, of strokes.c and solid.c.
- */
+/* Lines of two inks are of segments in turn. */
 static const struct {
-  enum ph_ink ink;
-  double width, dash; /* width 0: it is more than a line */
-} lines[] = {[PH_KEY_POINT] = {PH_INK_POINT, 0, 0},
-             [PH_KEY_CURVE] = {PH_INK_EVEN, 0, 0},
-             [PH_KEY_CONTACT] = {PH_INK_EVEN, 0, 0},
-             [PH_KEY_POLYGON] = {PH_INK_POLYGON, 0.06, 0},
-             [PH_KEY_OFFSET] = {PH_INK_OFFSET, 0.085, 0},
-             [PH_KEY_TRIMMED] = {PH_INK_TRIMMED, 0.05, 0.28},
-             [PH_KEY_TANGENT] = {PH_INK_TANGENT, 0, 0},
-             [PH_KEY_EDGE] = {PH_INK_EDGE, 0.1, 0},
-             [PH_KEY_RULING] = {PH_INK_RULING, 0.05, 0},
-             [PH_KEY_HIDDEN] = {PH_INK_EDGE, 0.08, 0.28}};
+  enum ph_ink ink, next;
+  double width, dash;
+} lines[] = {
+    [PH_KEY_CURVE] = {PH_INK_EVEN, PH_INK_ODD, PH_LINE_CURVE, 0},
+    [PH_KEY_CONTACT] = {PH_INK_EVEN, PH_INK_ODD, PH_LINE_CONTACT, 0},
+    [PH_KEY_POLYGON] = {PH_INK_POLYGON, PH_INK_POLYGON, PH_LINE_POLYGON, 0},
+    [PH_KEY_OFFSET] = {PH_INK_OFFSET, PH_INK_OFFSET, PH_LINE_OFFSET, 0},
+    [PH_KEY_TRIMMED] = {PH_INK_TRIMMED, PH_INK_TRIMMED, PH_LINE_TRIMMED,
+                        PH_LINE_DASH},
+    [PH_KEY_EDGE] = {PH_INK_EDGE, PH_INK_EDGE, PH_LINE_EDGE, 0},
+    [PH_KEY_RULING] = {PH_INK_RULING, PH_INK_RULING, PH_LINE_RULING, 0},
+    [PH_KEY_HIDDEN] = {PH_INK_EDGE, PH_INK_EDGE, PH_LINE_HIDDEN, PH_LINE_DASH}};
 _Static_assert(sizeof lines / sizeof lines[0] == PH_KEY_N,
                "every entry has a sample");
 
@@ -143,18 +143,18 @@ static void sample(struct ph_page *page, int entry, struct ph_spot at,
                    double em) {
   const double w = SAMPLE * em;
   const struct ph_spot half = {at.x + 0.5 * w, at.y};
+  const double width = lines[entry].width * em, dash = lines[entry].dash * em;
   if (entry == PH_KEY_POINT) {
     ph_page_pen(page, ph_ink(PH_INK_POINT), 1, 0);
     ph_page_circle(page, half, DOT * em);
     ph_page_fill(page);
   } else if (entry == PH_KEY_TANGENT) {
     arrow(page, at, em);
-  } else if (entry == PH_KEY_CURVE || entry == PH_KEY_CONTACT) {
-    line(page, at, 0.5 * w, PH_INK_EVEN, 0.145 * em, 0);
-    line(page, half, 0.5 * w, PH_INK_ODD, 0.145 * em, 0);
+  } else if (lines[entry].next != lines[entry].ink) {
+    line(page, at, 0.5 * w, lines[entry].ink, width, dash);
+    line(page, half, 0.5 * w, lines[entry].next, width, dash);
   } else {
-    line(page, at, w, lines[entry].ink, lines[entry].width * em,
-         lines[entry].dash * em);
+    line(page, at, w, lines[entry].ink, width, dash);
   }
 }
 

@@ -35,8 +35,9 @@ void ph_pen_to(struct ph_pen *pen, ph_vec3 p);
 /*
  * ph_pen_along: draws on to the place u1 of a segment, by cubics from u0, where
  * the pen is.  They have the tangents of the curve at their ends, and are
- * halved until three places between are near enough, `depth' times at most:
- * then, if even a chord would be allowed to be nearer, one is drawn.
+ * halved until five places between are within half of pen->near, `depth' times
+ * at most.
+ * One that is then farther than a chord may be is drawn as a chord.
  */
 void ph_pen_along(struct ph_pen *pen, const struct ph_sampler *sampler,
                   double u0, double u1, int depth);

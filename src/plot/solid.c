@@ -2,6 +2,7 @@
 /* Surfaces in a view (see solid.h). */
 #include "plot/solid.h"
 
+#include "plot/lines.h"
 #include "plot/strokes.h"
 #include "plot/trace.h"
 
@@ -12,15 +13,9 @@
  * strips, their rulings in so many pieces. */
 enum { CELLS = 2500, HIDDEN_STRIPS = 100, PIECES = 32 };
 
-/* Widths, in ems. */
-#define EDGE 0.085
-#define RULING 0.04
-#define CONTACT 0.15
+/* In ems. */
 #define SEAM 0.05
-#define HIDDEN 0.05
-#define DASH 0.3
 #define DOT 0.2
-#define ARROW_LINE 0.075
 
 /* Pieces of lines around the surface are longer than they are, by this, and at
  * most by so much in the unit. */
@@ -294,12 +289,12 @@ static void draw_cell(const struct ph_look *look, const struct ph_cell *cell) {
     const bool edge = cell->line[i] == PH_CELL_EDGE;
     if (cell->line[i]) {
       ph_page_pen(page, edge ? cell->ink : ph_ink(PH_INK_RULING),
-                  (edge ? EDGE : RULING) * em, 0);
+                  (edge ? PH_LINE_EDGE : PH_LINE_RULING) * em, 0);
       draw_on(look, cell->corner[i], cell->corner[(i + 1) % 4]);
     }
   }
   if (cell->has_contact) {
-    ph_page_pen(page, cell->contact_ink, CONTACT * em, 0);
+    ph_page_pen(page, cell->contact_ink, PH_LINE_CONTACT * em, 0);
     draw_on(look, cell->contact[0], cell->contact[1]);
   }
 }
@@ -359,8 +354,8 @@ static void draw_hidden(const struct ph_look *look,
                         const struct ph_sheet *sheet) {
   const struct ph_unit *unit = &look->panel->unit;
   struct ph_trace trace;
-  ph_page_pen(look->page, ph_ink(PH_INK_EDGE), HIDDEN * look->em,
-              DASH * look->em);
+  ph_page_pen(look->page, ph_ink(PH_INK_EDGE), PH_LINE_HIDDEN * look->em,
+              PH_LINE_DASH * look->em);
   ph_trace_begin(&trace, look->page, &look->window.rect);
   for (int edge = 0; edge < 2; edge++) {
     for (size_t i = 0; i < sheet->ribs_n; i++) {
@@ -392,12 +387,12 @@ static void draw_mark(const struct ph_look *look, const struct mark *m) {
       ph_ink(m->hidden ? PH_INK_OUTLINE : PH_INK_POINT);
   const ph_vec3 arrow[2] = {m->point, ph_vec3_add(m->point, m->tangent)};
   if (m->bare) {
-    ph_page_pen(look->page, ph_ink(PH_INK_EDGE), EDGE * look->em, 0);
+    ph_page_pen(look->page, ph_ink(PH_INK_EDGE), PH_LINE_EDGE * look->em, 0);
     draw_line(look, ph_vec3_along(m->point, -TICK, m->ruling),
               ph_vec3_along(m->point, TICK, m->ruling));
   }
   ph_page_pen(look->page, m->hidden ? ink : ph_ink(PH_INK_TANGENT),
-              ARROW_LINE * look->em, 0);
+              PH_LINE_ARROW * look->em, 0);
   ph_strokes_arrow(look, arrow);
   ph_page_pen(look->page, ink, 1, 0);
   ph_page_circle(look->page, spot_at(look, m->point), m->dot);

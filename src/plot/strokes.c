@@ -2,18 +2,12 @@
 /* What a view of a panel shows (see strokes.h). */
 #include "plot/strokes.h"
 
+#include "plot/lines.h"
 #include "plot/trace.h"
 
 #include <math.h>
 
-/* Widths, in ems. */
-#define CURVE 0.145
-#define OFFSET 0.085
-#define POLYGON 0.06
-#define TRIMMED 0.05
-#define ARROW 0.075
-#define HEAD 0.62
-#define DASH 0.28
+/* In ems: dots; numbers, and what they take. */
 #define DOT_MAX 0.22
 #define DOT_MIN 0.09
 #define LABEL 0.75
@@ -185,7 +179,7 @@ static void draw_arrow(const struct ph_look *look, enum ph_side side,
   struct ph_spot tip = spot_of(look, see(look, stroke->points[stroke->n - 1]));
   double head = hypot(tip.x - at.x, tip.y - at.y), far;
   struct ph_trace trace;
-  head = fmin(HEAD * look->em, 0.5 * head);
+  head = fmin(PH_LINE_HEAD * look->em, 0.5 * head);
   if (!shown(root, side) || !(head > 0)) {
     return;
   }
@@ -209,7 +203,7 @@ void ph_strokes_arrow(const struct ph_look *look, const ph_vec3 ends[2]) {
   const struct ph_spot root = spot_of(look, ph_view_see(&look->view, ends[0]));
   const struct ph_spot tip = spot_of(look, ph_view_see(&look->view, ends[1]));
   const double way = hypot(tip.x - root.x, tip.y - root.y);
-  const double part = fmin(HEAD * look->em, 0.5 * way) / way;
+  const double part = fmin(PH_LINE_HEAD * look->em, 0.5 * way) / way;
   const double dx = part * (tip.x - root.x), dy = part * (tip.y - root.y);
   const ph_vec3 neck =
       ph_vec3_along(ends[0], 1 - 0.8 * part, ph_vec3_sub(ends[1], ends[0]));
@@ -250,7 +244,7 @@ static void choose_pen(const struct ph_look *look, enum ph_side side,
                        size_t segment, bool moves) {
   const struct ph_panel *panel = look->panel;
   const struct ph_drawing *d = panel->drawings[which];
-  double em = look->em, dash = side == PH_SIDE_HIDDEN ? DASH * em : 0;
+  double em = look->em, dash = side == PH_SIDE_HIDDEN ? PH_LINE_DASH * em : 0;
   bool many = panel->n > 1;
   double thin = ph_colour_thin(panel->n);
   struct ph_colour ramp = ph_colour_ramp(which, panel->n);
@@ -259,21 +253,22 @@ static void choose_pen(const struct ph_look *look, enum ph_side side,
     ph_page_pen(look->page,
                 many ? ramp
                      : ph_colour_segment(segment, d->segments_n, d->closed),
-                (dash > 0 ? 0.7 : 1) * CURVE * thin * em, dash);
+                (dash > 0 ? 0.7 : 1) * PH_LINE_CURVE * thin * em, dash);
     break;
   case PH_STROKE_POLYGON:
-    ph_page_pen(look->page, ph_ink(PH_INK_POLYGON), POLYGON * em, dash);
+    ph_page_pen(look->page, ph_ink(PH_INK_POLYGON), PH_LINE_POLYGON * em, dash);
     break;
   case PH_STROKE_OFFSET:
     ph_page_pen(look->page, many ? ramp : ph_ink(PH_INK_OFFSET),
-                OFFSET * thin * em, dash);
+                PH_LINE_OFFSET * thin * em, dash);
     break;
   case PH_STROKE_TRIMMED:
-    ph_page_pen(look->page, ph_ink(PH_INK_TRIMMED), TRIMMED * em, DASH * em);
+    ph_page_pen(look->page, ph_ink(PH_INK_TRIMMED), PH_LINE_TRIMMED * em,
+                PH_LINE_DASH * em);
     break;
   case PH_STROKE_TANGENT:
-    ph_page_pen(look->page, moves ? ramp : ph_ink(PH_INK_TANGENT), ARROW * em,
-                dash);
+    ph_page_pen(look->page, moves ? ramp : ph_ink(PH_INK_TANGENT),
+                PH_LINE_ARROW * em, dash);
     break;
   case PH_STROKE_N:
     break;

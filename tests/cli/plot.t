@@ -286,6 +286,15 @@ printf '%s\n' "$cone_good" | sed 's/}$/,"height":[-9,9]}/' >high.json
 run cone -q -p x.svg high.json
 equal 'the key of a surface' \
   'data|contact curve|tangent|edge of a strip|ruling|hidden|' "$(key)"
+# styles: inks and widths of lines
+styles() {
+  grep -o 'stroke="[^"]*" stroke-width="[^"]*"' | sort -u
+}
+run cone -q -p x.svg --closed --height='[0,18]' "$srcdir/data/lampshade.csv"
+sed '/<g class="key">/,$d' x.svg | styles >drawn
+sed -n '/<g class="key">/,/<\/g>/p' x.svg | styles >shown
+equal 'it shows lines as they are drawn' '6 0' \
+  "$(wc -l <shown | tr -d ' ') $(comm -13 drawn shown | wc -l | tr -d ' ')"
 
 feed '{"points":[[0,0,0],[10,10,0],[20,0,10],[30,10,10]]}' spatial-hermite -p x.svg
 box=$(awk '/rgb\(83%/ { inside = 1; next } /rgb\(66%/ { inside = 0 } inside' x.svg |
