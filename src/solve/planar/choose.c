@@ -12,6 +12,7 @@
  */
 #include "solve/planar/planar.h"
 
+#include "base/team.h"
 #include "curve/cross/cross.h"
 #include "curve/fair/energy.h"
 #include "curve/segment/seg2.h"
@@ -53,13 +54,24 @@ struct candidate {
   bool simple; /* set where it is asked for */
 };
 
+/* Segments of a part, which take 0.5 ms or more; parts that are worth another
+ * thread. */
+enum { PART = 1024, WORTH = 4 * PART };
+
+/* What is found of a part of the segments of a trial. */
+struct part {
+  struct ph_sum length, bending;
+  double gain; /* by which that is more than its bounds */
+};
+
 struct work {
   struct ph_planar_data *data;
   struct ph_arena *scratch;
   struct ph_diag *diag;
-  struct ph_energy_sum sum;
+  struct ph_energy_sum sum; /* empty */
   size_t unknowns;
-  double *least; /* [n] a bound of the energy of each segment */
+  double *least;     /* [n] a bound of the energy of each segment */
+  struct part *part; /* [parts of PART segments] */
   struct candidate best, trial;
   bool is_first;        /* the best is what the first two starts led to */
   bool tested, crosses; /* whether that crosses itself, once it was tested */
@@ -103,37 +115,88 @@ static double energy_least(const struct ph_seg2 *seg) {
   return sum;
 }
 
+static bool measure_bounds(void *context, size_t thread, size_t first,
+                           size_t end) {
+  const struct work *w = context;
+  struct part *part = &w->part[first / PART];
+  struct ph_seg2 seg;
+  (void)thread;
+  *part = (struct part){.gain = 0};
+  for (size_t k = first; k < end; k++) {
+    scaled(w->data, w->trial.b, k, &seg);
+    ph_sum_add(&part->length, ph_seg2_length(&seg.space, seg.w));
+    w->least[k] = LOWER * energy_least(&seg);
+  }
+  return true;
+}
+
+/* Energies in place of bounds. */
+struct energies {
+  const struct work *w;
+  double least; /* the sum of all bounds */
+  double most;  /* that is of use */
+  atomic_bool beyond;
+};
+
+static bool measure_energies(void *context, size_t thread, size_t first,
+                             size_t end) {
+  struct energies *e = context;
+  const struct work *w = e->w;
+  struct part *part = &w->part[first / PART];
+  struct ph_energy_sum sum = w->sum;
+  struct ph_seg2 seg;
+  double least = e->least;
+  (void)thread;
+  for (size_t k = first; k < end && least <= e->most; k++) {
+    double before = ph_sum_value(&sum.bending);
+    scaled(w->data, w->trial.b, k, &seg);
+    ph_energy_add(&sum, &seg);
+    least += ph_sum_value(&sum.bending) - before - w->least[k];
+  }
+  part->bending = sum.bending;
+  part->gain = least - e->least;
+  if (!(least <= e->most)) {
+    atomic_store(&e->beyond, true);
+  }
+  return !atomic_load(&e->beyond);
+}
+
 /*
  * IES and length of the trial, for the twist in the data.
  *
  * From one segment to the next the energy takes the place of its bound, until
  * the sum is beyond the limit: segments with loops, which take long, are seldom
- * integrated.
+ * integrated.  Parts of a long curve do so each for itself.
  */
 static void measure(struct work *w, double limit) {
-  const struct ph_planar_data *d = w->data;
+  const size_t n = w->data->n;
   struct candidate *t = &w->trial;
-  struct ph_sum length = {0, 0};
-  struct ph_seg2 seg;
-  double least = 0;
-  t->twist = d->c2.twist;
+  struct energies e = {.w = w};
+  struct ph_sum length = {0, 0}, bending = {0, 0};
+  double sum;
+  t->twist = w->data->c2.twist;
   t->ies = (double)INFINITY;
-  for (size_t k = 0; k < d->n; k++) {
-    scaled(d, t->b, k, &seg);
-    ph_sum_add(&length, ph_seg2_length(&seg.space, seg.w));
-    w->least[k] = LOWER * energy_least(&seg);
-    least += w->least[k];
+  ph_team_share(w->scratch, n, WORTH, PART, measure_bounds, w);
+  for (size_t k = 0; k < n; k++) {
+    e.least += w->least[k];
+  }
+  for (size_t i = 0; i * PART < n; i++) {
+    ph_sum_join(&length, &w->part[i].length);
   }
   t->length = ph_sum_value(&length);
-  ph_energy_clear(&w->sum);
-  for (size_t k = 0; k < d->n && least * t->length <= limit; k++) {
-    double before = ph_sum_value(&w->sum.bending);
-    scaled(d, t->b, k, &seg);
-    ph_energy_add(&w->sum, &seg);
-    least += ph_sum_value(&w->sum.bending) - before - w->least[k];
+  e.most = limit / t->length;
+  atomic_init(&e.beyond, false);
+  ph_team_share(w->scratch, n, WORTH, PART, measure_energies, &e);
+  if (atomic_load(&e.beyond)) {
+    return;
   }
-  if (least * t->length <= limit) {
-    t->ies = ph_sum_value(&w->sum.bending) * t->length;
+  sum = e.least;
+  for (size_t i = 0; i * PART < n; i++) {
+    sum += w->part[i].gain;
+    ph_sum_join(&bending, &w->part[i].bending);
+  }
+  if (sum <= e.most) {
+    t->ies = ph_sum_value(&bending) * t->length;
   }
 }
 
@@ -145,7 +208,7 @@ static enum ph_status curve_of(struct work *w, const struct candidate *c,
   enum ph_status status = ph_planar_curve_alloc(d, w->scratch, curve, w->diag);
   if (status == PH_OK) {
     d->c2.twist = c->twist;
-    ph_planar_curve_fill(d, c->b, curve, &loops);
+    ph_planar_curve_fill(d, c->b, w->scratch, curve, &loops);
     d->c2.twist = twist;
   }
   return status;
@@ -298,7 +361,7 @@ static double cosine_before(const struct ph_planar_c2 *c2, size_t i) {
                   : ph_cplx_dot(u[n - 1], c2->end[1]);
 }
 
-static bool turns_sharply(const struct ph_planar_c2 *c2) {
+bool ph_planar_turns_sharply(const struct ph_planar_c2 *c2) {
   const ph_cplx *u = c2->direction;
   bool sharp =
       c2->closed ? cosine_before(c2, 0) < 0
@@ -429,34 +492,35 @@ static enum ph_status try_turns(struct work *w, double first) {
   return improve(w, turns, n, first, turned);
 }
 
-static enum ph_status try_second(struct work *w) {
-  struct ph_mark mark = ph_arena_mark(w->scratch);
-  struct ph_diag why;
+static enum ph_status try_second(struct work *w,
+                                 const struct ph_planar_second *second) {
   double ies;
-  enum ph_status status = ph_planar_c2_second(
-      &w->data->c2, w->scratch, w->trial.b, &w->trial.report, &why);
-  ph_arena_release(w->scratch, mark);
-  return status == PH_OK ? consider(w, false, &ies) : skip(w, status, &why);
+  if (second->status != PH_OK) {
+    return skip(w, second->status, &second->why);
+  }
+  w->trial.b = second->b;
+  w->trial.report = second->report;
+  w->data->c2.twist = second->twist;
+  return consider(w, false, &ies);
 }
 
 static enum ph_status run(struct work *w, ph_cplx *b,
-                          struct ph_planar_report *report) {
+                          struct ph_planar_report *report,
+                          const struct ph_planar_second *second) {
+  const size_t n = w->data->n, parts_n = (n + PART - 1) / PART;
   struct ph_planar_c2 *c2 = &w->data->c2;
   enum ph_status status;
   double first;
   w->trial = (struct candidate){.b = b, .report = *report};
   w->least = ph_arena_array(w->scratch, c2->n, sizeof *w->least);
-  if (!w->least || !ph_energy_begin(&w->sum)) {
+  w->part = ph_arena_array(w->scratch, parts_n, sizeof *w->part);
+  if (!w->least || !w->part || !ph_energy_begin(&w->sum)) {
     return ph_fail_memory(w->diag);
   }
   measure(w, (double)INFINITY);
   w->best = w->trial;
   first = w->best.ies;
-  w->trial.b = ph_arena_array(w->scratch, w->unknowns, sizeof *w->trial.b);
-  if (!w->trial.b) {
-    return ph_fail_memory(w->diag);
-  }
-  status = try_second(w);
+  status = try_second(w, second);
   if (status == PH_OK && SEGMENTS_MAX / c2->n >= ROUNDS) {
     status = try_turns(w, first);
   }
@@ -475,6 +539,7 @@ static enum ph_status run(struct work *w, ph_cplx *b,
 enum ph_status ph_planar_choose(struct ph_planar_data *data,
                                 struct ph_arena *scratch, ph_cplx *b,
                                 struct ph_planar_report *report,
+                                const struct ph_planar_second *second,
                                 struct ph_planar_choice *choice,
                                 struct ph_diag *diag) {
   struct ph_mark mark = ph_arena_mark(scratch);
@@ -487,8 +552,8 @@ enum ph_status ph_planar_choose(struct ph_planar_data *data,
   const double none = (double)NAN;
   enum ph_status status = PH_OK;
   *choice = (struct ph_planar_choice){none, none, none};
-  if (turns_sharply(&data->c2)) {
-    status = run(&w, b, report);
+  if (ph_planar_turns_sharply(&data->c2)) {
+    status = run(&w, b, report, second);
   }
   ph_arena_release(scratch, mark);
   return status;

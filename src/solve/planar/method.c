@@ -12,6 +12,7 @@
 #include "solve/method.h"
 
 #include "base/sum.h"
+#include "base/team.h"
 #include "curve/fair/energy.h"
 #include "curve/segment/seg2.h"
 #include "kernel/pi.h"
@@ -31,6 +32,10 @@ static const double SAME_LENGTH = 1e-9;
 
 /* E L below this is that of a straight line. */
 static const double STRAIGHT = 1e-12;
+
+/* Segments that are filled together; so many, 1 ms, are worth another thread.
+ */
+enum { PART = 1024, WORTH = 8192 };
 
 /* On more segments the theorem would take as long as the solution. */
 enum { KANTOROVICH_MAX = 100 };
@@ -137,11 +142,15 @@ static void warn_other(const struct ph_planar_data *d,
 static enum ph_status solve_good(struct task *t) {
   struct ph_planar_choice choice;
   struct ph_planar_report report;
+  struct ph_planar_second second;
   enum ph_status status =
-      ph_planar_c2_solve(&t->data.c2, t->scratch, t->b, &report, t->diag);
+      ph_planar_turns_sharply(&t->data.c2)
+          ? ph_planar_c2_both(&t->data.c2, t->scratch, t->b, &report, &second,
+                              t->diag)
+          : ph_planar_c2_solve(&t->data.c2, t->scratch, t->b, &report, t->diag);
   if (status == PH_OK) {
-    status =
-        ph_planar_choose(&t->data, t->scratch, t->b, &report, &choice, t->diag);
+    status = ph_planar_choose(&t->data, t->scratch, t->b, &report, &second,
+                              &choice, t->diag);
   }
   if (status == PH_OK) {
     status =
@@ -150,7 +159,8 @@ static enum ph_status solve_good(struct task *t) {
   if (status != PH_OK) {
     return status;
   }
-  ph_planar_curve_fill(&t->data, t->b, &t->result->curve, &t->loops);
+  ph_planar_curve_fill(&t->data, t->b, t->scratch, &t->result->curve,
+                       &t->loops);
   t->iterations = report.iterations;
   t->residual = report.residual;
   warn_other(&t->data, &choice, t->result);
@@ -188,7 +198,8 @@ static enum ph_status solve_fairest(struct task *t) {
   if (status != PH_OK) {
     return status;
   }
-  ph_planar_curve_fill(&t->data, t->b, &t->result->curve, &t->loops);
+  ph_planar_curve_fill(&t->data, t->b, t->scratch, &t->result->curve,
+                       &t->loops);
   ph_diagnostics_set_finite(diagnostics, PH_D_FUNCTIONAL, report.minimum);
   ph_diagnostics_set(diagnostics, PH_D_AT_BOUND, report.at_bound);
   ph_diagnostics_set_finite(diagnostics, PH_D_FUNCTIONAL_START, report.start);
@@ -239,7 +250,7 @@ static enum ph_status fill_solution(struct task *t, const ph_cplx *b,
   if (status != PH_OK) {
     return status;
   }
-  ph_planar_curve_fill(&t->data, b, &solution->curve, &loops);
+  ph_planar_curve_fill(&t->data, b, t->scratch, &solution->curve, &loops);
   if (!ph_energy_planar(&solution->curve, &energy)) {
     return ph_fail_memory(t->diag);
   }
@@ -267,7 +278,7 @@ static void choose_best(struct task *t, const struct ph_planar_all *all) {
   }
   t->b = all->b + best * ph_planar_unknowns(&d->c2);
   d->c2.twist = ph_cplx_of(all->twist[best], 0);
-  ph_planar_curve_fill(d, t->b, &t->result->curve, &t->loops);
+  ph_planar_curve_fill(d, t->b, t->scratch, &t->result->curve, &t->loops);
   t->residual = sqrt(ph_planar_residual(&d->c2, t->b).max2);
   first = solutions[best];
   solutions[best] = solutions[0];
@@ -425,29 +436,26 @@ enum ph_status ph_planar_curve_alloc(const struct ph_planar_data *d,
   return ph_curve_alloc(curve, arena, diag);
 }
 
-static inline void loops_add(struct ph_planar_loops *loops, size_t k,
-                             const struct ph_atph *space, const ph_cplx w[3]) {
+/* Whether a segment stands still (NaN), or turns by more than half a turn. */
+static inline bool has_loop(const struct ph_atph *space, const ph_cplx w[3],
+                            double *angle) {
   struct ph_seg2 seg;
-  double angle;
   if (ph_seg2_moves_on(w)) {
-    return;
+    return false;
   }
   seg = (struct ph_seg2){*space, {w[0], w[1], w[2]}, {0, 0}, {0, 0}};
-  angle = ph_seg2_stands_still(&seg, NULL) ? (double)NAN
-          : ph_seg2_is_monotone(w)         ? 0
-                                           : ph_seg2_rotation(&seg, NULL);
-  if (!(fabs(angle) <= PH_PI) && loops->n++ == 0) {
-    loops->first = k;
-    loops->angle = angle;
-  }
+  *angle = ph_seg2_stands_still(&seg, NULL) ? (double)NAN
+           : ph_seg2_is_monotone(w)         ? 0
+                                            : ph_seg2_rotation(&seg, NULL);
+  return !(fabs(*angle) <= PH_PI);
 }
 
 /* Segment k of the preimage w with respect to u in [0,1], in the root of the
  * user's unit; that of an atph curve is written with respect to t. */
-static inline double fill_segment(const struct ph_planar_data *d, size_t k,
-                                  const struct ph_atph *space, ph_cplx w[3],
-                                  struct ph_curve *curve) {
-  const double length = ph_seg2_length(space, w);
+static inline void fill_segment(const struct ph_planar_data *d, size_t k,
+                                const struct ph_atph *space, ph_cplx w[3],
+                                struct ph_curve *curve) {
+  curve->lengths[k] = ph_seg2_length(space, w);
   ph_seg2_control_points(space, w, ph_planar_point(d, k),
                          ph_planar_point(d, k + 1),
                          (ph_cplx *)(curve->control_points + 12 * k));
@@ -458,35 +466,73 @@ static inline double fill_segment(const struct ph_planar_data *d, size_t k,
     curve->preimage.alpha[k] = space->angle;
   }
   memcpy(curve->preimage.v + 6 * k, w, 3 * sizeof *w);
-  return curve->lengths[k] = length;
 }
 
-void ph_planar_curve_fill(const struct ph_planar_data *d, const ph_cplx *b,
-                          struct ph_curve *curve,
-                          struct ph_planar_loops *loops) {
+/* A curve that is being filled. */
+struct filling {
+  const struct ph_planar_data *data;
+  const ph_cplx *b;
+  struct ph_curve *curve;
+  atomic_size_t loops, first_loop;
+};
+
+static void note_loop(struct filling *f, size_t k) {
+  size_t first = atomic_load(&f->first_loop);
+  atomic_fetch_add(&f->loops, 1);
+  while (k < first &&
+         !atomic_compare_exchange_weak(&f->first_loop, &first, k)) {
+  }
+}
+
+static bool fill_some(void *context, size_t thread, size_t begin, size_t end) {
+  struct filling *f = context;
+  const struct ph_planar_data *d = f->data;
   const struct ph_planar_c2 *c2 = &d->c2;
-  const ph_cplx *mine = d->closed ? b : b + 1;
-  double root = ldexp(1, -d->exponent / 2);
-  struct ph_sum length = {0, 0};
+  const ph_cplx *mine = d->closed ? f->b : f->b + 1;
+  const double root = ldexp(1, -d->exponent / 2);
   ph_cplx w[3];
-  *loops = (struct ph_planar_loops){0, 0, 0};
-  memcpy(curve->knots, d->knots, (d->n + 1) * sizeof *d->knots);
-  for (size_t k = 0; k < d->n; k++) {
+  double angle;
+  (void)thread;
+  for (size_t k = begin; k < end; k++) {
     const struct ph_atph *space = ph_planar_space(c2, k);
     const double size = root * sqrt(d->h[k]);
     ph_cplx scaled[3];
-    if (k > 0 && k + 1 < d->n) { /* half of it is that of the segment before */
+    if (k > begin && k + 1 < d->n) { /* half of it: of the segment before */
       w[0] = w[2];
       w[1] = mine[k];
       w[2] = ph_planar_at_knot(c2->y[k + 1], mine[k], mine[k + 1]);
     } else {
-      ph_planar_preimage(c2, b, k, w);
+      ph_planar_preimage(c2, f->b, k, w);
     }
-    loops_add(loops, k, space, w);
+    if (has_loop(space, w, &angle)) {
+      note_loop(f, k);
+    }
     for (int i = 0; i < 3; i++) {
       scaled[i] = ph_cplx_scale(size, w[i]);
     }
-    ph_sum_add(&length, fill_segment(d, k, space, scaled, curve));
+    fill_segment(d, k, space, scaled, f->curve);
+  }
+  return true;
+}
+
+void ph_planar_curve_fill(const struct ph_planar_data *d, const ph_cplx *b,
+                          const struct ph_arena *arena, struct ph_curve *curve,
+                          struct ph_planar_loops *loops) {
+  struct filling f = {.data = d, .b = b, .curve = curve};
+  struct ph_sum length = {0, 0};
+  atomic_init(&f.loops, 0);
+  atomic_init(&f.first_loop, SIZE_MAX);
+  memcpy(curve->knots, d->knots, (d->n + 1) * sizeof *d->knots);
+  ph_team_share(arena, d->n, WORTH, PART, fill_some, &f);
+  for (size_t k = 0; k < d->n; k++) {
+    ph_sum_add(&length, curve->lengths[k]);
   }
   curve->length = ph_sum_value(&length);
+  *loops = (struct ph_planar_loops){atomic_load(&f.loops), 0, 0};
+  if (loops->n > 0) {
+    ph_cplx w[3];
+    loops->first = atomic_load(&f.first_loop);
+    ph_planar_preimage(&d->c2, b, loops->first, w);
+    (void)has_loop(ph_planar_space(&d->c2, loops->first), w, &loops->angle);
+  }
 }

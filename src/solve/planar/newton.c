@@ -9,6 +9,8 @@
  */
 #include "solve/planar/planar.h"
 
+#include "base/team.h"
+
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -19,6 +21,10 @@ static const double SOLVED = 1e-13;
 static const double ROUNDING = 1e3 * DBL_EPSILON;
 /* Sufficient decrease, and the shortest step worth trying (Kelley 1995). */
 static const double DECREASE = 1e-4, SHORTEST = 1e-6;
+
+/* From so many segments on, a millisecond, two threads look for two solutions.
+ */
+enum { LONG = 2048 };
 
 enum { PLAIN_CAP = 25, NEWTON_CAP = 60, FOLLOW_CAP = 12 };
 
@@ -223,19 +229,26 @@ static bool from_chords(struct ph_planar_c2 *c2, struct work *w,
   return newton(c2, w, false, PLAIN_CAP, iterations, m);
 }
 
+static enum ph_status solve_with(struct ph_planar_c2 *c2, search *find,
+                                 struct work *w, ph_cplx *b,
+                                 struct ph_planar_report *report,
+                                 struct ph_diag *diag) {
+  struct ph_planar_measure m = {0, HUGE_VAL, 0};
+  bool solved;
+  report->iterations = 0;
+  solved = find(c2, w, &report->iterations, &m);
+  return conclude(c2, w, solved, &m, b, report, diag);
+}
+
 static enum ph_status solve_by(struct ph_planar_c2 *c2, search *find,
                                struct ph_arena *scratch, ph_cplx *b,
                                struct ph_planar_report *report,
                                struct ph_diag *diag) {
-  struct ph_planar_measure m = {0, HUGE_VAL, 0};
   const struct ph_mark mark = ph_arena_mark(scratch);
   struct work w;
   enum ph_status status = work_init(&w, c2, scratch, b, diag);
   if (status == PH_OK) {
-    bool solved;
-    report->iterations = 0;
-    solved = find(c2, &w, &report->iterations, &m);
-    status = conclude(c2, &w, solved, &m, b, report, diag);
+    status = solve_with(c2, find, &w, b, report, diag);
   }
   ph_arena_release(scratch, mark);
   return status;
@@ -248,11 +261,54 @@ enum ph_status ph_planar_c2_solve(struct ph_planar_c2 *c2,
   return solve_by(c2, try_starts, scratch, b, report, diag);
 }
 
-enum ph_status ph_planar_c2_second(struct ph_planar_c2 *c2,
-                                   struct ph_arena *scratch, ph_cplx *b,
-                                   struct ph_planar_report *report,
-                                   struct ph_diag *diag) {
-  return solve_by(c2, from_spline, scratch, b, report, diag);
+/* A solution from the first starts, and one from the second. */
+struct both {
+  struct ph_planar_c2 c2[2];
+  struct work w[2];
+  ph_cplx *b[2];
+  struct ph_planar_report *report[2];
+  struct ph_diag *diag[2];
+  enum ph_status status[2];
+};
+
+static bool solve_one(void *context, size_t thread, size_t first, size_t end) {
+  static search *const find[2] = {try_starts, from_spline};
+  struct both *s = context;
+  (void)thread;
+  for (size_t i = first; i < end; i++) {
+    s->status[i] = solve_with(&s->c2[i], find[i], &s->w[i], s->b[i],
+                              s->report[i], s->diag[i]);
+  }
+  return true;
+}
+
+enum ph_status ph_planar_c2_both(struct ph_planar_c2 *c2,
+                                 struct ph_arena *scratch, ph_cplx *b,
+                                 struct ph_planar_report *report,
+                                 struct ph_planar_second *second,
+                                 struct ph_diag *diag) {
+  const size_t worth = c2->n < LONG ? 2 : 1;
+  struct ph_mark mark;
+  struct both s = {.c2 = {*c2, *c2},
+                   .report = {report, &second->report},
+                   .diag = {diag, &second->why}};
+  bool good;
+  second->b = ph_arena_array(scratch, ph_planar_unknowns(c2), sizeof *b);
+  s.b[0] = b;
+  s.b[1] = second->b;
+  mark = ph_arena_mark(scratch);
+  good = second->b != NULL;
+  for (size_t i = 0; good && i < 2; i++) {
+    good = work_init(&s.w[i], c2, scratch, s.b[i], diag) == PH_OK;
+  }
+  if (good) {
+    ph_team_share(scratch, 2, worth, 1, solve_one, &s);
+  }
+  ph_arena_release(scratch, mark);
+  c2->twist = s.c2[0].twist;
+  second->twist = s.c2[1].twist;
+  second->status = s.status[1];
+  return good ? s.status[0] : ph_fail_memory(diag);
 }
 
 enum ph_status ph_planar_c2_turned(struct ph_planar_c2 *c2, const bool *turned,

@@ -113,14 +113,27 @@ enum ph_status ph_planar_c2_solve(struct ph_planar_c2 *c2,
                                   struct ph_planar_report *report,
                                   struct ph_diag *diag);
 
+/* The solution from the cubic-spline midpoint start alone. */
+struct ph_planar_second {
+  ph_cplx *b; /* [unknowns] */
+  ph_cplx twist;
+  struct ph_planar_report report;
+  enum ph_status status; /* PH_OK | PH_E_NO_CONVERGENCE, for which why says: */
+  struct ph_diag why;
+};
+
 /*
- * ph_planar_c2_second: the solution from the cubic-spline midpoint start alone.
- * It differs from that of ph_planar_c2_solve only where the data turn sharply.
+ * ph_planar_c2_both: ph_planar_c2_solve, and that from the cubic-spline
+ * midpoint start, at the same time where the curve is long and there is a
+ * thread for it.  They differ only where the data turn sharply.
+ * out   second  its b in the arena
+ * ret   of ph_planar_c2_solve
  */
-enum ph_status ph_planar_c2_second(struct ph_planar_c2 *c2,
-                                   struct ph_arena *scratch, ph_cplx *b,
-                                   struct ph_planar_report *report,
-                                   struct ph_diag *diag);
+enum ph_status ph_planar_c2_both(struct ph_planar_c2 *c2,
+                                 struct ph_arena *scratch, ph_cplx *b,
+                                 struct ph_planar_report *report,
+                                 struct ph_planar_second *second,
+                                 struct ph_diag *diag);
 
 /*
  * ph_planar_c2_turned: a solution from the chord start with some of the turns
@@ -391,9 +404,7 @@ static inline ph_cplx ph_planar_point(const struct ph_planar_data *d,
   return ph_cplx_of(d->points[2 * i], d->points[2 * i + 1]);
 }
 
-/* ---- the curve ----------------------------------------------------------- */
-
-/* From the unknowns of the C2 equations to a curve in the user's unit. */
+/* ---- the curve, in the user's unit --------------------------------------- */
 
 /* Segments that turn by more than half a turn, or stand still. */
 struct ph_planar_loops {
@@ -412,14 +423,16 @@ enum ph_status ph_planar_curve_alloc(const struct ph_planar_data *data,
  * ph_planar_curve_fill: the numbers of a curve, for the twist in data->c2.
  *
  * in   b[unknowns]  a solution of the C2 equations
+ * in   arena        its threads share what is long
  */
 void ph_planar_curve_fill(const struct ph_planar_data *data, const ph_cplx *b,
-                          struct ph_curve *curve,
+                          const struct ph_arena *arena, struct ph_curve *curve,
                           struct ph_planar_loops *loops);
 
-/* ---- the fairest --------------------------------------------------------- */
+/* ---- the fairest of the solutions of several starts ---------------------- */
 
-/* The fairest of the solutions that several starts lead to. */
+/* Whether there may be several: the data turn by more than a right angle. */
+bool ph_planar_turns_sharply(const struct ph_planar_c2 *c2);
 
 struct ph_planar_choice {
   double ies; /* of the choice; NaN where there was none to make */
@@ -430,7 +443,7 @@ struct ph_planar_choice {
 
 /*
  * ph_planar_choose: where the data turn by more than a right angle, looks for
- * fairer solutions: from the other start (ph_planar_c2_second), and with such
+ * fairer solutions: from the other start (ph_planar_c2_both), and with such
  * turns made the other way round, in all combinations up to 7 segments, in some
  * beyond, and from 151 segments on in none.  Of the two starts the solution of
  * less IES is taken, of all others one that is still less and does not cross
@@ -442,11 +455,13 @@ struct ph_planar_choice {
  * inout data    its twist
  * inout b[unknowns]  the solution from the first start
  * inout report  of that
+ * in    second  of such data
  * ret   PH_OK | PH_E_NO_MEMORY
  */
 enum ph_status ph_planar_choose(struct ph_planar_data *data,
                                 struct ph_arena *scratch, ph_cplx *b,
                                 struct ph_planar_report *report,
+                                const struct ph_planar_second *second,
                                 struct ph_planar_choice *choice,
                                 struct ph_diag *diag);
 

@@ -70,7 +70,7 @@ static size_t bezout(const struct set *f) {
 static void curve_of(struct set *f, size_t i, struct ph_curve *curve) {
   struct ph_planar_loops loops;
   f->data.c2.twist = ph_cplx_of(f->all.twist[i], 0);
-  ph_planar_curve_fill(&f->data, solution(f, i), curve, &loops);
+  ph_planar_curve_fill(&f->data, solution(f, i), &f->u.arena, curve, &loops);
 }
 
 /* |a - b| or |a + b|, whichever is smaller; or any number above `enough`, if

@@ -64,7 +64,7 @@ static double functional_of(enum ph_planar_functional functional) {
   double length;
   ck_assert_int_eq(ph_planar_curve_alloc(&data, &u.arena, &curve, &u.diag),
                    PH_OK);
-  ph_planar_curve_fill(&data, b, &curve, &loops);
+  ph_planar_curve_fill(&data, b, &u.arena, &curve, &loops);
   ck_assert(ph_energy_planar(&curve, &energy));
   length = curve.length;
   return functional == PH_PLANAR_E     ? energy.bending
