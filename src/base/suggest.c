@@ -20,6 +20,7 @@
 
 enum {
   LONGEST = 32, /* no name of the program is longer */
+  SHORTEST = 3, /* beginning of a name that stands for it */
   NEAR = 2      /* wrong letters that still make a typing mistake */
 };
 
@@ -167,12 +168,24 @@ void ph_suggest_init(struct ph_suggest *suggest, const char *word, size_t n) {
   *suggest = (struct ph_suggest){.word = word, .n = n};
 }
 
+/* Whether a name begins with the word. */
+static bool begins_with(const char *name, size_t n,
+                        const struct ph_suggest *suggest) {
+  size_t i = 0;
+  while (i < n && i < suggest->n && lower(name[i]) == lower(suggest->word[i])) {
+    i++;
+  }
+  return i == suggest->n && i >= SHORTEST;
+}
+
 void ph_suggest_try(struct ph_suggest *suggest, const char *name, size_t n) {
   size_t d;
   if (suggest->n > LONGEST || n > LONGEST) {
     return;
   }
-  d = distance(suggest->word, suggest->n, name, n);
+  d = begins_with(name, n, suggest)
+          ? 0
+          : distance(suggest->word, suggest->n, name, n);
   if (d <= NEAR && d < suggest->n && d <= n &&
       (!suggest->best || d < suggest->distance)) {
     suggest->best = name;

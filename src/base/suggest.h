@@ -72,7 +72,8 @@ void ph_suggest_init(struct ph_suggest *suggest, const char *word, size_t n);
 /* ph_suggest_try: offers one name.  The first of equally near ones is kept;
  * a name is near when at most two letters are wrong (missing, superfluous,
  * replaced or swapped with their neighbour): fewer than the word has, and no
- * more than the name has. */
+ * more than the name has; and nearest when it begins with the word, of three
+ * letters at least. */
 void ph_suggest_try(struct ph_suggest *suggest, const char *name, size_t n);
 
 /* ph_suggest_list: offers every name of a list "a|b|c". */

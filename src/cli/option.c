@@ -108,11 +108,12 @@ static const char *name_of(const struct ph_option_parser *p, int value) {
 
 /* ---- failures --------------------------------------------------------- */
 
-/* What other commands have. */
+/* What other commands have: an option, or a field of that one. */
 static enum ph_status not_here(struct ph_option_parser *p, const char *dashes,
-                               const char *name, size_t n) {
-  return ph_fail(p->diag, PH_E_USAGE, NULL, "%s has no option '%s%.*s'",
-                 p->options->command->schema->command, dashes, (int)n, name);
+                               const char *name, size_t n, const char *there) {
+  return ph_fail(p->diag, PH_E_USAGE, NULL, "%s has no option '%s%.*s'%s%s",
+                 p->options->command->schema->command, dashes, (int)n, name,
+                 there ? ", but there is one of " : "", there ? there : "");
 }
 
 static enum ph_status unknown_long(struct ph_option_parser *p,
@@ -124,7 +125,13 @@ static enum ph_status unknown_long(struct ph_option_parser *p,
     const struct ph_option *o = &ph_option_table[i];
     if (!(o->use & p->options->command->use) && strlen(o->name) == n - 2 &&
         memcmp(o->name, typed + 2, n - 2) == 0) {
-      return not_here(p, "--", o->name, n - 2);
+      return not_here(p, "--", o->name, n - 2, NULL);
+    }
+  }
+  for (size_t i = 0; i < ph_commands_n; i++) {
+    const struct ph_schema *schema = ph_commands[i].schema;
+    if (ph_command_field(schema, typed + 2, n - 2)) {
+      return not_here(p, "--", typed + 2, n - 2, schema->command);
     }
   }
   ph_suggest_init(&suggest, typed + 2, n - 2);
@@ -140,7 +147,7 @@ static enum ph_status unknown_short(struct ph_option_parser *p, int letter) {
   char excerpt[PH_EXCERPT_MAX], text = (char)letter;
   for (int i = 0; i < PH_OPTION_N; i++) {
     if (ph_option_table[i].letter == letter) {
-      return not_here(p, "-", &text, 1);
+      return not_here(p, "-", &text, 1, NULL);
     }
   }
   return ph_fail(p->diag, PH_E_USAGE, NULL, "unknown option '-%s'",

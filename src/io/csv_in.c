@@ -93,8 +93,8 @@ static enum ph_status bad_cell(struct reader *r, enum ph_status status,
                        : !ph_csv_decimal_comma(cell) ? ""
                        : r->columns->delimiter == ','
                            ? "; numbers have a decimal point"
-                           : "; numbers have a decimal point (tr , . makes "
-                             "them of commas)";
+                           : "; numbers have a decimal point (tr , . turns "
+                             "commas into points)";
   char excerpt[PH_EXCERPT_MAX];
   ph_excerpt(cell->text, cell->n, excerpt);
   if (column->segments && r->rows == 0) {

@@ -81,14 +81,54 @@ static void add(struct lines *l, const struct position *p) {
   }
 }
 
-/* The sign of a longitude of 180 degrees is that of what is beside it. */
+/* Whether a latitude is that of a pole, to rounding. */
+static bool at_pole(double latitude) {
+  return !(fabs(latitude) < 90 - 1e-12);
+}
+
+/* The longitude of the first sample after i that is at no pole; `unset` if
+ * there is none. */
+static double longitude_after(const struct ph_samples *s, size_t i,
+                              double unset) {
+  do {
+    i++;
+  } while (i < s->n && at_pole(s->lonlat[2 * i + 1]));
+  return i < s->n ? s->lonlat[2 * i] : unset;
+}
+
+/* The longitude of a pole, and the sign of one of 180 degrees, are those of
+ * what is beside it. */
 static void settle(const struct lines *l, size_t i, struct position *p) {
-  const double beside = l->begun          ? l->last.at[0]
-                        : i + 1 < l->s->n ? l->s->lonlat[2 * (i + 1)]
-                                          : p->at[0];
-  if (!(fabs(p->at[0]) < 180)) {
+  const double beside =
+      l->begun ? l->last.at[0] : longitude_after(l->s, i, p->at[0]);
+  if (at_pole(p->at[1])) {
+    p->at[0] = beside;
+  } else if (!(fabs(p->at[0]) < 180)) {
     p->at[0] = copysign(180, beside);
   }
+}
+
+/* The line is at a pole, and goes on at another longitude: as another line. */
+static void leave_pole(struct lines *l, double longitude) {
+  struct position p = l->last;
+  if (fabs(longitude - p.at[0]) > 1e-9) {
+    begin_line(l);
+    p.at[0] = longitude;
+    add(l, &p);
+  }
+}
+
+/* Whether the line passes a pole, to rounding, on the way to p. */
+static bool over_pole(const struct lines *l, const struct position *p) {
+  return !at_pole(l->last.at[1]) && !at_pole(p->at[1]) &&
+         fabs(fabs(p->at[0] - l->last.at[0]) - 180) < 1e-9;
+}
+
+static void cross_pole(struct lines *l, const struct position *p) {
+  struct position pole = {
+      {l->last.at[0], copysign(90, l->last.at[1] + p->at[1])}, 2};
+  add(l, &pole);
+  leave_pole(l, p->at[0]);
 }
 
 /* Between the samples i - 1 and i the line passes the longitude 180: there the
@@ -123,11 +163,16 @@ static void go(struct lines *l, const struct ph_gaps *gaps, bool ring) {
     }
     if (s->lonlat) {
       settle(l, i, &p);
-      if (l->begun && fabs(p.at[0] - l->last.at[0]) > 180) {
+      if (l->begun && over_pole(l, &p)) {
+        cross_pole(l, &p);
+      } else if (l->begun && fabs(p.at[0] - l->last.at[0]) > 180) {
         cross_seam(l, i);
       }
     }
     add(l, &p);
+    if (s->lonlat && at_pole(p.at[1])) {
+      leave_pole(l, longitude_after(s, i, p.at[0]));
+    }
   }
 }
 

@@ -133,6 +133,7 @@ static bool is_name(const struct ph_split *split,
 struct list { /* of names being read */
   struct ph_split *split;
   bool option; /* of --columns */
+  bool points; /* among them are coordinates */
   struct ph_diag *diag;
 };
 
@@ -141,8 +142,19 @@ static const char *where(const struct list *list) {
   return list->option ? "--columns" : NULL;
 }
 
-static const char *advice(const struct list *list) {
-  return list->option ? "" : " (--ignore-columns skips it)";
+static const char *advice(const struct list *list,
+                          const struct ph_csv_cell *cell) {
+  static const char *const wkt[] = {"wkt", "geom", "geometry", "the_geom"};
+  for (size_t i = 0; i < sizeof wkt / sizeof *wkt; i++) {
+    if (!list->points && ph_word_is(cell->text, cell->n, wkt[i])) {
+      return " (ogr2ogr -f GeoJSON converts WKT)";
+    }
+  }
+  return list->option   ? ""
+         : list->points ? " (--ignore-columns skips it)"
+         : row_of(list->split->schema, PH_F_LONLAT)
+             ? " (--columns=lon=NAME,lat=NAME takes columns by their names)"
+             : " (--columns=x=NAME,y=NAME takes columns by their names)";
 }
 
 static enum ph_status unknown_column(const struct list *list, size_t i,
@@ -153,7 +165,7 @@ static enum ph_status unknown_column(const struct list *list, size_t i,
   const char *elsewhere = "";
   if (cell->n == 0) {
     return ph_fail(list->diag, PH_E_UNKNOWN_FIELD, where(list),
-                   "column %zu has no name%s", i + 1, advice(list));
+                   "column %zu has no name%s", i + 1, advice(list, cell));
   }
   ph_suggest_init(&suggest, cell->text, cell->n);
   for (size_t k = 0; k < NAMES; k++) {
@@ -168,7 +180,7 @@ static enum ph_status unknown_column(const struct list *list, size_t i,
   return ph_fail(list->diag, PH_E_UNKNOWN_FIELD, where(list),
                  "column \"%s\" is unknown to %s%s%s%s",
                  ph_excerpt(cell->text, cell->n, excerpt), schema->command,
-                 elsewhere, clause, advice(list));
+                 elsewhere, clause, *elsewhere ? "" : advice(list, cell));
 }
 
 /* Whether the numbers of columns of names[k] belong to segments. */
@@ -337,13 +349,29 @@ static size_t count_cells(const char *p, const char *end, char separator) {
   return n;
 }
 
+/* Whether there are coordinates among the names: those of vectors. */
+static bool has_points(const struct ph_split *split, const char *p,
+                       const char *end, char separator) {
+  for (; p <= end; p++) {
+    struct ph_csv_cell cell;
+    size_t k;
+    p = ph_csv_cell(p, end, separator, &cell);
+    k = find_name(split->schema, cell.text, cell.n);
+    if (k < NAMES && names[k].vector) {
+      return true;
+    }
+  }
+  return false;
+}
+
 enum ph_status ph_split_columns(struct ph_split *split, const char *text,
                                 size_t n, char separator, bool option,
                                 struct ph_csv_columns **columns,
                                 struct ph_diag *diag) {
-  struct list list = {split, option, diag};
   const char *p = text;
   const char *end = ph_csv_row_end(text, text + n);
+  struct list list = {split, option, has_points(split, text, end, separator),
+                      diag};
   size_t cells = count_cells(p, end, separator);
   enum ph_status status = PH_OK;
   if (cells > (SIZE_MAX - sizeof **columns) / sizeof *(*columns)->column) {
@@ -538,40 +566,6 @@ static enum ph_status columns_by_row(struct ph_split *split, const char *row,
                  "the file has no header row: --columns must name its %zu "
                  "column%s",
                  census.cells, census.cells == 1 ? "" : "s");
-}
-
-#define WKT "WKT: ogr2ogr -f GeoJSON makes of it what is read"
-/* What a file that begins with these bytes is, and what makes CSV of it. */
-static const struct {
-  const char *bytes;
-  size_t n;
-  const char *what;
-} foreign[] = {
-    {"\x1f\x8b", 2, "compressed by gzip: gunzip writes what is in it"},
-    {"\xff\xfe", 2, "UTF-16: iconv -f UTF-16 -t UTF-8 converts it"},
-    {"\xfe\xff", 2, "UTF-16: iconv -f UTF-16 -t UTF-8 converts it"},
-    {"PK\x03\x04", 4,
-     "a spreadsheet or other zip archive: spreadsheets can be saved as CSV"},
-    {"<", 1, "XML or HTML: --input-format=svg and gpx read SVG and GPX"},
-    {"{", 1, "JSON: --input-format=json and geojson read it"},
-    {"LINESTRING", 10, WKT},
-    {"POLYGON", 7, WKT},
-    {"MULTI", 5, WKT},
-    {"POINT", 5, WKT},
-};
-
-bool ph_split_is_foreign(const char *p, const char *end, struct ph_diag *diag) {
-  for (size_t i = 0; i < sizeof foreign / sizeof *foreign; i++) {
-    const char *after = p + foreign[i].n;
-    bool wkt = foreign[i].n >= 5; /* a word, then its coordinates */
-    if ((size_t)(end - p) > foreign[i].n &&
-        memcmp(p, foreign[i].bytes, foreign[i].n) == 0 &&
-        (!wkt || memchr(after, '(', (size_t)(end - after)))) {
-      ph_fail(diag, PH_E_SYNTAX, NULL, "the input is %s", foreign[i].what);
-      return true;
-    }
-  }
-  return false;
 }
 
 enum ph_status ph_split_find_columns(struct ph_split *split, bool *data,

@@ -186,8 +186,11 @@ stop(struct ph_split *split, struct ph_record *record, struct ph_diag *diag) {
   if (xml->in.wrong) {
     *diag = xml->in.diag;
   } else {
-    ph_fail(diag, PH_E_SYNTAX, NULL, "XML: %s",
-            XML_ErrorString(XML_GetErrorCode(xml->parser)));
+    ph_fail(diag, PH_E_SYNTAX, NULL, "XML: %s%s",
+            XML_ErrorString(XML_GetErrorCode(xml->parser)),
+            XML_GetCurrentByteIndex(xml->parser) > 0
+                ? ""
+                : "; the input does not begin as SVG or GPX do");
   }
   record->status = diag->status;
   record->line = diag->line =

@@ -315,6 +315,10 @@ void ph_svg_start(struct ph_xml_in *xml, const char *name,
   const char *value = ph_xml_attribute(attributes, "transform");
   const char *id = ph_xml_attribute(attributes, "id");
   const bool use = strcmp(name, "use") == 0;
+  const bool inner =
+      xml->depth > 1 && strcmp(name, "svg") == 0 &&
+      (ph_xml_attribute(attributes, "x") || ph_xml_attribute(attributes, "y") ||
+       ph_xml_attribute(attributes, "viewBox"));
   size_t which = 0;
   bool good;
   for (size_t i = 0; i < sizeof hidden / sizeof *hidden; i++) {
@@ -342,6 +346,12 @@ void ph_svg_start(struct ph_xml_in *xml, const char *name,
     ph_fail(&xml->diag, PH_E_BAD_VALUE, "transform",
             "is \"%s\", which is no list of transformations",
             ph_excerpt(value, strlen(value), excerpt));
+    ph_xml_fail(xml, PH_E_BAD_VALUE);
+    xml->hidden = xml->depth;
+  } else if (inner) {
+    ph_fail(&xml->diag, PH_E_BAD_VALUE, NULL,
+            "the element is <svg> inside of another, with x, y or viewBox: "
+            "what is in it is not read");
     ph_xml_fail(xml, PH_E_BAD_VALUE);
     xml->hidden = xml->depth;
   } else if (use) {

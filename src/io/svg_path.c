@@ -375,12 +375,25 @@ enum ph_status ph_svg_path_read(struct ph_trace *trace, const char *text,
   return status;
 }
 
+/* Whether a text is a document, or the name of a file that is one. */
+static bool is_document(const char *text, size_t n) {
+  return (n > 0 && *text == '<') ||
+         (n > 4 && ph_word_is(text + n - 4, 4, ".svg"));
+}
+
 enum ph_status ph_svg_path_value(const char *text, size_t n, const char *field,
                                  struct ph_arena *arena, struct ph_value *value,
                                  struct ph_diag *diag) {
   struct ph_trace trace = {.arena = arena, .affine = PH_TRACE_AS_IS};
-  enum ph_status status = ph_svg_path_read(&trace, text, n, field, diag);
-  char *word = ph_arena_array(arena, n + 1, 1);
+  enum ph_status status;
+  char *word;
+  if (is_document(text, n)) {
+    return ph_fail(diag, PH_E_BAD_VALUE, field,
+                   "is path data, as \"M0,0 L1,1\": a whole SVG file is read "
+                   "as input, and gives a problem for each path");
+  }
+  status = ph_svg_path_read(&trace, text, n, field, diag);
+  word = ph_arena_array(arena, n + 1, 1);
   if (status != PH_OK) {
     return status;
   }

@@ -238,7 +238,7 @@ for text in '0;0,5\n1;1,5\n' '0 0,5\n1 1\n' '0\t0,5\n1\t1\n'; do
   csv "decimal commas: $text" '1 absent absent' "$text"
   expect "decimal commas: $text: the remedy" 1 "phspline: a.csv:1: record 1: \
 points[0]: needs a number in column y, found \"0,5\"; numbers have a decimal \
-point (tr , . makes them of commas) [bad-type]
+point (tr , . turns commas into points) [bad-type]
 $(failed 1 1)"
 done
 
@@ -258,7 +258,7 @@ foreign() {
   expect "$1" 3 "phspline: foreign:1: record 1: the input is $2 [syntax]
 $(failed 1 1)"
 }
-foreign 'gzip' 'compressed by gzip: gunzip writes what is in it' '\037\213\010\n'
+foreign 'gzip' 'compressed by gzip: gunzip unpacks it' '\037\213\010\n'
 utf16='UTF-16: iconv -f UTF-16 -t UTF-8 converts it'
 foreign 'UTF-16' "$utf16" '\377\376x\000,\000y\000\n\000'
 foreign 'UTF-16, the other way round' "$utf16" '\376\377\000x\000,\000y\000\n'
@@ -266,16 +266,28 @@ foreign 'xlsx' 'a spreadsheet or other zip archive: spreadsheets can be saved as
 printf '<svg/>\n' >foreign
 run planar -q -i csv foreign
 expect 'XML that is read as CSV' 3 'phspline: foreign:1: record 1: the input is XML or HTML: --input-format=svg and gpx read SVG and GPX [syntax]'
-foreign 'WKT' 'WKT: ogr2ogr -f GeoJSON makes of it what is read' \
+foreign 'WKT' 'WKT: ogr2ogr -f GeoJSON converts it' \
   'LINESTRING (0 0, 1 1)\n'
 printf '{\n"type": "LineString"}\n' >foreign
 run planar -q -i csv foreign
 expect 'JSON that is read as CSV' 3 'phspline: foreign:1: record 1: the input is JSON: --input-format=json and geojson read it [syntax]'
 csv 'longitudes in the plane' '3 absent absent' 'Longitude,Latitude\n0,0\n1,2\n'
 expect 'longitudes in the plane: the remedy' 3 "phspline: a.csv:1: record 1: \
-column \"Longitude\" is unknown to planar, but not to sphere (--ignore-columns \
-skips it) [unknown-field]
+column \"Longitude\" is unknown to planar, but not to sphere [unknown-field]
 $(failed 1 1)"
+foreign 'NumPy' 'an array of NumPy: numpy.savetxt writes it as text' \
+  "\\223NUMPY\\001\\000v\\000{'shape': (7, 2)}\\n"
+# remedy NAME COLUMN REMEDY HEADER: a header without coordinates
+remedy() {
+  csv "$1" '3 absent absent' "$4\n0;0;0\n1;1;1\n"
+  expect "$1: the remedy" 3 "phspline: a.csv:1: record 1: column \"$2\" is unknown \
+to planar ($3) [unknown-field]
+$(failed 1 1)"
+}
+remedy 'columns of other names' Easting \
+  '--columns=x=NAME,y=NAME takes columns by their names' 'Easting;Northing;Name'
+remedy 'WKT in a column' geom 'ogr2ogr -f GeoJSON converts WKT' 'geom;a;b'
+remedy 'a column beside points' geom '--ignore-columns skips it' 'x;y;geom'
 csv 'no WKT' '3 absent absent' 'POINTS,x\n0,0\n'
 
 # ---- columns by their names, columns that are unknown --------------------------

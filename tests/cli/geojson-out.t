@@ -78,6 +78,24 @@ awk 'BEGIN { d = atan2(0, -1) / 180
   printf "%.15g\n", atan2(sin(10 * d) / cos(10 * d) / cos(10 * d), 1) / d }' \
   >wanted
 numbers 'where it does' 1e-13 wanted found
+# over NUMBER POINTS WANTED: lines at a pole, with so many steps
+over() {
+  printf 'lon,lat\n%b\n' "$2" >pole.csv
+  run sphere -q -f geojson --sample="$1" pole.csv
+  equal "at a pole: $2, $1" "$3" \
+    "$(features '.geometry.coordinates | tojson | gsub("6{13}7"; "7")')"
+}
+over 2 '0,90\n90,0' '"[[90,90],[90,45],[90,0]]"'
+over 2 '90,0\n0,-90' '"[[90,0],[90,-45],[90,-90]]"'
+over 2 '0,80\n180,80' '"[[[0,80],[0,90]],[[180,90],[180,80]]]"'
+over 3 '0,80\n180,80' \
+  '"[[[0,80],[0,86.7],[0,90]],[[180,90],[180,86.7],[180,80]]]"'
+printf 'lon,lat\n10,70\n0,90\n-100,60\n' >pole.csv
+run sphere -q -f geojson --sample=3 --closed pole.csv
+equal 'a curve through a pole goes on at another longitude' '[true,true]' \
+  "$(features '.geometry.coordinates | [(.[0][-1] | .[1] == 90) and
+    .[0][-1][0] == .[0][-2][0], (.[1][0] | .[1] == 90) and
+    .[1][0][0] == .[1][1][0]]')"
 printf 'lon,lat\n170,10\n180,15\n-170,20\n-170,10\n' >touch.csv
 run sphere -f geojson touch.csv
 equal 'a sample at 180 degrees is at both ends' '[[180,true],[-180,true]]' \

@@ -78,8 +78,7 @@ feed 'lon,lat
 0,0
 ' planar
 expect 'of planar it is no column' 3 "phspline: -:1: record 1: column \"lon\" \
-is unknown to planar, but not to sphere (--ignore-columns skips it) \
-[unknown-field]
+is unknown to planar, but not to sphere [unknown-field]
 $(failed 1 1)"
 
 # ---- coordinates, and numbers of nodes ---------------------------------------

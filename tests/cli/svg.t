@@ -36,6 +36,11 @@ expect 'a path of two' 1 \
 feed '{"path":"M0 0h1","curve":[[0,0],[1,1]],"tolerance":1}' tc -q
 expect 'a path and a curve' 1 \
   'phspline: -:1: record 1: path: excludes curve: give one of them [bad-value]'
+for path in drawing.SVG '<svg/>'; do
+  feed "{\"path\":\"$path\",\"tolerance\":1}" tc -q
+  expect "$path is no path" 1 \
+    'phspline: -:1: record 1: path: is path data, as "M0,0 L1,1": a whole SVG file is read as input, and gives a problem for each path [bad-value]'
+done
 feed '{"path":[[0,0],[1,1]],"tolerance":1}' tc -q
 expect 'no path' 1 \
   'phspline: -:1: record 1: path: must be a string of SVG path data, found an array [bad-type]'
@@ -129,7 +134,8 @@ cat >bad.svg <<'END'
 <polygon id="e" points="1 2 3"/>
 <rect id="f"/>
 <line id="g" x2="1e400"/>
-<line id="h" x2="1"/>
+<svg id="i" viewBox="0 0 1 1"><line x2="1"/></svg>
+<svg><line id="h" x2="1"/></svg>
 </svg>
 END
 run tc -q --tolerance=1 bad.svg
@@ -142,6 +148,7 @@ expect 'failures' 1 "$(
 6: record e: points: must be pairs of numbers; something else stands in the place of pair 1 [syntax]
 7: record f: the element draws nothing [bad-value]
 8: record g: x2: is "1e400"; a number without unit is read [bad-value]
+9: record i: the element is <svg> inside of another, with x, y or viewBox: what is in it is not read [bad-value]
 END
 )"
 # hostile NAME STATUS MESSAGE [ARGUMENT...]: of the file bad.svg
@@ -171,6 +178,8 @@ run tc -q --tolerance=1 --max-record-bytes=200000 bad.svg
 expect 'a path of many arcs' 1 'phspline: bad.svg:1: record a: the record is longer than the 200000 bytes of --max-record-bytes [limit]'
 printf '<svg><g></svg>' >bad.svg
 hostile 'broken XML' 3 'XML: mismatched tag [syntax]'
+printf '{}' >bad.svg
+hostile 'JSON' 3 'XML: not well-formed (invalid token); the input does not begin as SVG or GPX do [syntax]'
 printf '<html><body/></html>' >bad.svg
 run tc -q <bad.svg
 expect 'HTML' 3 'phspline: -:1: record 1: the XML is <html>: only SVG and GPX are read [syntax]'

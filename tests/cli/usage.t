@@ -28,7 +28,9 @@ usage "unknown option '--nosuch'" --nosuch
 usage "unknown option '--nosuch'" --nosuch=1
 usage "unknown option '--clsoed'; did you mean \"closed\"?" --clsoed
 usage "unknown option '--knot'; did you mean \"knots\"?" --knot=uniform
-usage "unknown option '--out'; did you mean \"set\"?" --out=x
+usage "unknown option '--out'; did you mean \"output\"?" --out=x
+usage "planar has no option '--end-tangents', but there is one of sphere" \
+  --end-tangents=1
 usage "unknown option '--Pretty'; did you mean \"pretty\"?" --Pretty
 usage "unknown option '-x'" -x
 usage "unknown option '-x'" --pretty -xq
@@ -39,12 +41,12 @@ usage "unknown option '-\\xc3'" '-é'
 
 # names are never cut short, not even where no other begins so
 usage "unknown option '--prett'; did you mean \"pretty\"?" --prett
-usage "unknown option '--input'" --input=csv
-usage "unknown option '--verb'" --verb
+usage "unknown option '--input'; did you mean \"input-format\"?" --input=csv
+usage "unknown option '--verb'; did you mean \"verbose\"?" --verb
 usage "unknown option '--offse'; did you mean \"offset\"?" --offse 1
 usage "unknown option '--job'; did you mean \"jobs\"?" --job
 usage "unknown option '--pr'" --pr
-usage "unknown option '--fail'" --fail=1
+usage "unknown option '--fail'; did you mean \"fail-fast\"?" --fail=1
 
 usage "option '--jobs' needs a value" --jobs
 usage "option '-j' needs a value" -j

@@ -158,6 +158,12 @@ PH_TEST(test_did_you_mean) {
   ck_assert_str_eq(meant("zz", names), "");
   ck_assert_str_eq(meant("", names), "");
   ck_assert_str_eq(meant("anything", ""), "");
+  /* A name that begins with the word, three letters of it. */
+  ck_assert_str_eq(meant("out", "set|output"), "; did you mean \"output\"?");
+  ck_assert_str_eq(meant("input", names), "");
+  ck_assert_str_eq(meant("inp", "input-format"),
+                   "; did you mean \"input-format\"?");
+  ck_assert_str_eq(meant("in", "input-format"), "");
   /* The nearest, and of equally near ones the first. */
   ck_assert_str_eq(meant("knotz", "knotted|knots|knott"),
                    "; did you mean \"knots\"?");

@@ -141,7 +141,7 @@ PH_TEST(test_csv_lonlat) {
              "for points\nstopped");
   gives("a.csv", "lon,lat\n0,1\n",
         "1 1 unknown-field 1:1 column \"lon\" is unknown to planar, "
-        "but not to sphere (--ignore-columns skips it)\nstopped");
+        "but not to sphere\nstopped");
   /* Many files have the latitude first. */
   gives_with(&csv, &sphere, "0,1\n",
              "1 1 syntax 1:1 the file has no header row: --columns=lon,lat or "
