@@ -185,6 +185,8 @@ stop(struct ph_split *split, struct ph_record *record, struct ph_diag *diag) {
   ph_split_give(split, 0, 0, record);
   if (xml->in.wrong) {
     *diag = xml->in.diag;
+  } else if (XML_GetErrorCode(xml->parser) == XML_ERROR_NO_MEMORY) {
+    ph_fail_memory(diag);
   } else {
     ph_fail(diag, PH_E_SYNTAX, NULL, "XML: %s%s",
             XML_ErrorString(XML_GetErrorCode(xml->parser)),

@@ -40,25 +40,24 @@ enum ph_status ph_blends_begin(struct ph_blends *blends, size_t continuity,
 /* ---- least squares ------------------------------------------------------- */
 
 /* The pseudoinverse of the basis functions inner[nodes][n], all weighed: what
- * takes residuals to coefficients, free[n][nodes]. */
+ * takes residuals to coefficients, free[n][nodes].  Jacobi's method takes no
+ * memory (see fit.c). */
 static bool invert(const double *inner, const struct ph_quad *gauss,
                    size_t nodes, size_t n, struct ph_arena *arena,
                    double *free) {
   struct ph_mark mark = ph_arena_mark(arena);
-  double *room = ph_arena_array(arena, nodes * n + n * n + 2 * n, sizeof *room);
+  double *room = ph_arena_array(arena, nodes * n + n * n + n, sizeof *room);
   gsl_matrix_view A, V;
-  gsl_vector_view S, W;
+  gsl_vector_view S;
   bool good = room != NULL;
   if (good && n > 0) {
     A = gsl_matrix_view_array(room, nodes, n);
     V = gsl_matrix_view_array(room + nodes * n, n, n);
     S = gsl_vector_view_array(room + nodes * n + n * n, n);
-    W = gsl_vector_view_array(room + nodes * n + n * n + n, n);
     for (size_t i = 0; i < nodes * n; i++) {
       room[i] = sqrt(gauss->weight[i / n % PH_BLEND_NODES]) * inner[i];
     }
-    good =
-        gsl_linalg_SV_decomp(&A.matrix, &V.matrix, &S.vector, &W.vector) == 0;
+    good = gsl_linalg_SV_decomp_jacobi(&A.matrix, &V.matrix, &S.vector) == 0;
     for (size_t i = 0; good && i < n; i++) {
       for (size_t j = 0; j < nodes; j++) {
         double x = 0;

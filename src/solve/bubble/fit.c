@@ -87,14 +87,26 @@ static void set_rows(ph_vec3 x, double value, ph_vec3 gradient, double *rows,
   }
 }
 
-/* The least squares solution of least norm; the matrix is lost. */
+/* The least squares solution of least norm; the matrix is lost.  The rows
+ * become triangular before their singular values are found, by Jacobi's method,
+ * as neither takes memory: GSL's other methods do, and use what they did not
+ * get.
+ */
 static bool solve(struct room *room, size_t rows, double *x) {
-  double v[UNKNOWNS * UNKNOWNS], s[UNKNOWNS], work[UNKNOWNS];
+  double v[UNKNOWNS * UNKNOWNS], s[UNKNOWNS], u[UNKNOWNS * UNKNOWNS];
   gsl_matrix_view A = gsl_matrix_view_array(room->matrix, rows, UNKNOWNS);
+  gsl_matrix_view U = gsl_matrix_view_array(u, UNKNOWNS, UNKNOWNS);
   gsl_matrix_view V = gsl_matrix_view_array(v, UNKNOWNS, UNKNOWNS);
+  gsl_vector_view b = gsl_vector_view_array(room->right, rows);
   gsl_vector_view S = gsl_vector_view_array(s, UNKNOWNS);
-  gsl_vector_view W = gsl_vector_view_array(work, UNKNOWNS);
-  if (gsl_linalg_SV_decomp(&A.matrix, &V.matrix, &S.vector, &W.vector) != 0) {
+  if (gsl_linalg_QR_decomp(&A.matrix, &S.vector) != 0 ||
+      gsl_linalg_QR_QTvec(&A.matrix, &S.vector, &b.vector) != 0) {
+    return false;
+  }
+  for (size_t i = 0; i < UNKNOWNS * UNKNOWNS; i++) {
+    u[i] = i % UNKNOWNS < i / UNKNOWNS ? 0 : room->matrix[i];
+  }
+  if (gsl_linalg_SV_decomp_jacobi(&U.matrix, &V.matrix, &S.vector) != 0) {
     return false;
   }
   for (size_t j = 0; j < UNKNOWNS; j++) {
@@ -102,8 +114,8 @@ static bool solve(struct room *room, size_t rows, double *x) {
   }
   for (size_t k = 0; k < UNKNOWNS && s[k] > CUT * s[0]; k++) {
     double along = 0;
-    for (size_t i = 0; i < rows; i++) {
-      along += room->matrix[UNKNOWNS * i + k] * room->right[i];
+    for (size_t i = 0; i < UNKNOWNS; i++) {
+      along += u[UNKNOWNS * i + k] * room->right[i];
     }
     for (size_t j = 0; j < UNKNOWNS; j++) {
       x[j] += v[UNKNOWNS * j + k] * (along / s[k]);

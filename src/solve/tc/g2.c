@@ -407,8 +407,13 @@ enum ph_status ph_tc_g2(const struct ph_problem *problem,
   bool has_spline =
       ph_tc_data_of(problem, PH_TC_SPLINE, scratch, &spline, &why) == PH_OK;
   struct builder b = {.data = data, .spline = &spline, .ratio = 1};
-  enum ph_status status = ph_g2_parts_of(
-      problem, data, has_spline ? &spline : NULL, scratch, &parts, diag);
+  enum ph_status status;
+  if (!has_spline &&
+      why.status == PH_E_NO_MEMORY) { /* not that there is none */
+    return ph_fail_memory(diag);
+  }
+  status = ph_g2_parts_of(problem, data, has_spline ? &spline : NULL, scratch,
+                          &parts, diag);
   if (status == PH_OK) {
     status = build(&b, &parts, out, result, diag);
   }
