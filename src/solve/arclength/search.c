@@ -63,35 +63,36 @@ static const struct kind {
   enum use use;
   enum origin origin;
   double rho;    /* weight of an augmented Lagrangian before Newton; 0: none */
+  double more;   /* the same, after Newton where that crept */
   double twist;  /* of the phases, in turn to one side and the other */
   double wave;   /* size of the random wave that is added */
   uint64_t seed; /* of its random numbers; 0: they go on */
 } kinds[] = {
-    {"twist", USE_SINGLE, ORIGIN_INIT, 100, -0.2, 0, 0},
-    {"twist-left", USE_SINGLE, ORIGIN_INIT, 1e4, 0.2, 0, 0},
-    {"twist-right", USE_SINGLE, ORIGIN_INIT, 1e4, -0.2, 0, 0},
-    {"wave", USE_GIVEN, ORIGIN_INIT, 1e4, 0, 0.1, 2},
-    {"relaxed", USE_NEAR, ORIGIN_NATURAL, 0, 0, 0, 0},
-    {"init", USE_FIRST, ORIGIN_INIT, 0, 0, 0, 0},
-    {"relaxed", USE_FAR, ORIGIN_NATURAL, 0, 0, 0, 0},
-    {"wiggle", USE_RESCUE, ORIGIN_WIGGLE, 0, 0, 0, 0},
-    {"wiggle-1e4", USE_RESCUE, ORIGIN_WIGGLE, 1e4, 0, 0, 0},
-    {"penalty", USE_RESCUE, ORIGIN_INIT, 100, 0, 0, 0},
-    {"penalty-1e4", USE_RESCUE, ORIGIN_INIT, 1e4, 0, 0, 0},
-    {"wave-2", USE_LAST, ORIGIN_NEAREST, 0, 0, 0.02, 0},
-    {"wave-10", USE_LAST, ORIGIN_NEAREST, 0, 0, 0.1, 0},
-    {"wave-30", USE_LAST, ORIGIN_NEAREST, 0, 0, 0.3, 0},
-    {"init-wave-2", USE_LAST, ORIGIN_INIT, 0, 0, 0.02, 0},
-    {"init-wave-10", USE_LAST, ORIGIN_INIT, 0, 0, 0.1, 0},
-    {"init-wave-30", USE_LAST, ORIGIN_INIT, 0, 0, 0.3, 0},
+    {"twist", USE_SINGLE, ORIGIN_INIT, 100, 0, -0.2, 0, 0},
+    {"twist-left", USE_SINGLE, ORIGIN_INIT, 1e4, 0, 0.2, 0, 0},
+    {"twist-right", USE_SINGLE, ORIGIN_INIT, 1e4, 0, -0.2, 0, 0},
+    {"wave", USE_GIVEN, ORIGIN_INIT, 1e4, 0, 0, 0.1, 2},
+    {"relaxed", USE_NEAR, ORIGIN_NATURAL, 0, 0, 0, 0, 0},
+    {"init", USE_FIRST, ORIGIN_INIT, 0, 0, 0, 0, 0},
+    {"relaxed", USE_FAR, ORIGIN_NATURAL, 0, 0, 0, 0, 0},
+    {"wiggle", USE_RESCUE, ORIGIN_WIGGLE, 0, 1e4, 0, 0, 0},
+    {"wiggle-1e4", USE_RESCUE, ORIGIN_WIGGLE, 1e4, 0, 0, 0, 0},
+    {"penalty", USE_RESCUE, ORIGIN_INIT, 100, 0, 0, 0, 0},
+    {"penalty-1e4", USE_RESCUE, ORIGIN_INIT, 1e4, 0, 0, 0, 0},
+    {"wave-2", USE_LAST, ORIGIN_NEAREST, 0, 0, 0, 0.02, 0},
+    {"wave-10", USE_LAST, ORIGIN_NEAREST, 0, 0, 0, 0.1, 0},
+    {"wave-30", USE_LAST, ORIGIN_NEAREST, 0, 0, 0, 0.3, 0},
+    {"init-wave-2", USE_LAST, ORIGIN_INIT, 0, 0, 0, 0.02, 0},
+    {"init-wave-10", USE_LAST, ORIGIN_INIT, 0, 0, 0, 0.1, 0},
+    {"init-wave-30", USE_LAST, ORIGIN_INIT, 0, 0, 0, 0.3, 0},
 };
 enum { FIRST_SEED = 1000 }; /* of random starts */
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
 /* Random ones: the first of single segments. */
 static const struct kind random_kinds[] = {
-    {"random", USE_RESCUE, ORIGIN_INIT, 1e4, 0, 0.3, 0},
-    {"random", USE_RESCUE, ORIGIN_INIT, 0, 0, 1, 0},
+    {"random", USE_RESCUE, ORIGIN_INIT, 1e4, 0, 0, 0.3, 0},
+    {"random", USE_RESCUE, ORIGIN_INIT, 0, 0, 0, 1, 0},
 };
 
 /* ---- iterations ---------------------------------------------------------- */
@@ -154,6 +155,23 @@ static void leave_valley(struct engine *e) {
   }
 }
 
+/* An augmented Lagrangian with this rho from e->point, for which there is
+ * memory. */
+static void penalise(struct engine *e, double rho) {
+  struct ph_arc_point *p = &e->point;
+  struct ph_arc_penalty_options options = {
+      .rho = rho,
+      .rho_max = RHO_MAX,
+      .iterations = ROUGH_STEPS,
+      .tolerance = ROUGH[e->rough.windows.n > 0],
+      .inner = INNER_F[e->rough.windows.n > 0]};
+  struct ph_arc_penalty_report report;
+  ph_arc_whitened(&e->white, p->y, e->rough_y);
+  ph_arc_penalty(&e->white, &options, &e->rough, p->x, e->rough_y, &report);
+  p->iterations += report.iterations;
+  ph_arc_plain(&e->white, e->rough_y, p->y);
+}
+
 /* From e->point, whose multipliers are set to 0: an augmented Lagrangian with
  * this rho, if that is not 0, then Newton's method.  false: no memory */
 static bool iterate(struct engine *e, double rho, size_t steps) {
@@ -162,22 +180,34 @@ static bool iterate(struct engine *e, double rho, size_t steps) {
   p->converged = p->minimiser = false;
   memset(p->y, 0, e->s->y_n * sizeof *p->y);
   if (rho > 0) {
-    struct ph_arc_penalty_options options = {
-        .rho = rho, .rho_max = RHO_MAX, .iterations = ROUGH_STEPS};
-    struct ph_arc_penalty_report report;
     if (!need_rough(e)) {
       return false;
     }
-    options.tolerance = ROUGH[e->rough.windows.n > 0];
-    options.inner = INNER_F[e->rough.windows.n > 0];
-    memset(e->rough_y, 0, e->s->y_n * sizeof *p->y);
-    ph_arc_penalty(&e->white, &options, &e->rough, p->x, e->rough_y, &report);
-    p->iterations += report.iterations;
-    ph_arc_plain(&e->white, e->rough_y, p->y);
+    penalise(e, rho);
   }
   ph_arc_newton_solve(e->s, &e->work, steps, p);
   leave_valley(e);
   if (rho > 0) {
+    judge_white(e);
+  }
+  return true;
+}
+
+/* Where Newton's method crept, with one shift for the whole curve, windows go
+ * on from there with the multipliers that it found.  Where rows do not hold yet
+ * the curve is far from its minimum, and a new start finds a lower one.
+ * false: no memory */
+static bool go_on(struct engine *e, double rho) {
+  struct ph_arc_point *p = &e->point;
+  if (p->converged || !(p->residual <= ROUGH[1])) {
+    return true;
+  }
+  if (!need_rough(e)) {
+    return false;
+  }
+  if (e->rough.windows.n > 0) {
+    penalise(e, rho);
+    ph_arc_newton_solve(e->s, &e->work, STEPS_AFTER, p);
     judge_white(e);
   }
   return true;
@@ -409,7 +439,9 @@ static bool try_start(struct run *run, const struct kind *kind) {
   }
   begin(run, kind);
   run->search->starts_n++;
-  return iterate(&run->engine, kind->rho, steps) && note(run, kind->name);
+  return iterate(&run->engine, kind->rho, steps) &&
+         (!(kind->more > 0) || go_on(&run->engine, kind->more)) &&
+         note(run, kind->name);
 }
 
 /* ---- all starts ---------------------------------------------------------- */
