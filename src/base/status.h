@@ -106,7 +106,7 @@ enum ph_class {
     "intervals have curves whose curvature jumps, which bend less")        \
   X(W_UNEVEN_CHORDS, "uneven-chords", RECORD,                              \
     "chords are so uneven that the command planar is better")              \
-  X(W_FOLDED, "folded", RECORD, "a patch is folded")
+  X(W_FOLDED, "folded", RECORD, "a surface is folded")
 
 #define PH_STATUS(X) X(OK, "ok", OK, "solved") PH_ERRORS(X) PH_WARNINGS(X)
 

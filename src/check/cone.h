@@ -61,6 +61,11 @@ void ph_check_cone_elements(struct ph_check_cone *cone);
  * and diagnostics, parallel surfaces, samples.  ret PH_OK | PH_E_NO_MEMORY */
 enum ph_status ph_check_cone_told(struct ph_check_cone *cone);
 
+/* ph_check_cone_folds: the diagnostics folded and regular.  inside: how many
+ * strips have a vertex within the height. */
+void ph_check_cone_folds(struct ph_check *v, const struct ph_curve *curve,
+                         double inside);
+
 /* ph_check_cone_scale: sets the scale to that of both ends of all arcs; false
  * where there is none, or, which is the status, no memory. */
 bool ph_check_cone_scale(struct ph_check_cone *cone, enum ph_status *status);

@@ -303,7 +303,7 @@ void ph_check_general_told(struct ph_check_general *g,
   }
   check_diagnostic(v, PH_D_SHIFT, 0);
   check_diagnostic(v, PH_D_VERTICES_INSIDE, totals->inside);
-  check_diagnostic(v, PH_D_REGULAR, totals->inside > 0 ? 0 : 1);
+  ph_check_cone_folds(v, g->curve, totals->inside);
   ph_check_fairness(v);
   check_samples(g, &v->claim->grid);
   check_located(g, &v->claim->located);

@@ -250,7 +250,7 @@ static void check_diagnostics(struct ph_check_cone *cone) {
   check_diagnostic(cone->v, PH_D_VERTICES_INSIDE, inside, 1);
   check_diagnostic(cone->v, PH_D_SIGN_CHANGES, changes, 1);
   check_diagnostic(cone->v, PH_D_LARGE_ARCS, large, 1);
-  check_diagnostic(cone->v, PH_D_REGULAR, inside > 0 ? 0 : 1, 1);
+  ph_check_cone_folds(cone->v, c, inside);
 }
 
 /* By how much directions of the arcs are uncertain: what both contact points

@@ -318,7 +318,8 @@ struct ph_offset {
   X(NORMAL_JUMP, "normal_jump", "number",                                      \
     "the largest angle between the normals on both sides of an edge")          \
   X(DEGREE, "degree", "number", "the highest of the blending functions")       \
-  X(FOLDED, "folded", "number", "how many patches are folded")                 \
+  X(FOLDED, "folded", "number",                                                \
+    "how many patches are folded, or rulings between strips")                  \
   X(AREA, "area", "number", "of the surface")
 
 enum ph_diagnostic {

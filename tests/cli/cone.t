@@ -48,7 +48,7 @@ equal 'a record: its members' '{id:number,command:string,status:string,'\
 'radius:number}],length:number,area:number,diagnostics:{iterations:number,'\
 'residual:number,interpolation_error:number,length_error:number,regular:bool,'\
 'frame_error:number,isometry_error:number,shift:number,vertices_inside:number,'\
-'sign_changes:number,large_arcs:number,lambda_interval:[[number]]}}' \
+'sign_changes:number,large_arcs:number,folded:number,lambda_interval:[[number]]}}' \
   "$(json shape <out)"
 equal 'a record: values' '7 [1] "cone-spline" false 0 "sphere" true' \
   "$(get id) $(get meta) $(get surface) $(get closed) $(get area) \
@@ -394,6 +394,25 @@ warned_of outside "{$points,$rulings,$tangents,\"flat\":[[7,7]]}"
 warned_of far-contact '{"points":[[0,0,0],[1,0,0.1]],"rulings":[[0,1,0],'\
 '[0.00001,1,0.00002]],"tangents":[[1,0,0],[0.99,0,0.14]]}'
 
+# Between the contact curve and the height there is the vertex of one strip, and
+# not of the other: the vertices are on two sides.
+fold='{"points":[[0,0,0],[2,1,0]],"rulings":[[0,0,1],[0.6,0,0.8]],'\
+'"tangents":[[1,0,0],[0,1,0]],"height":FROM}'
+feed "$(echo "$fold" | sed 's/FROM/[3,4]/')" cone
+equal 'folded: warnings' '0 sign-change folded' \
+  "$status $(jq -r '[.warnings[].code] | join(" ")' out)"
+true_that 'folded: it is told' jq -e '.diagnostics | .folded == 1 and
+  .vertices_inside == 0 and .regular == false' out
+cp out folded.json
+run verify -q folded.json
+equal 'folded: verified' 0 "$status"
+for change in '.folded = 0' '.regular = true'; do
+  jq -c ".diagnostics |= ($change)" folded.json >wrong.json
+  run verify -q wrong.json
+  equal "folded: $change is refused" 1 "$status"
+done
+feed "$(echo "$fold" | sed 's/FROM/[-1.6,-1.2]/')" cone
+true_that 'not folded' jq -e '.diagnostics | .folded == 0 and .regular' out
 # ---- the command line --------------------------------------------------------
 
 # usage NAME MESSAGE OPTION...

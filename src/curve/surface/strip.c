@@ -6,6 +6,9 @@
 #include "curve/surface/area.h"
 #include "curve/surface/general.h"
 
+/* Heights that are those of the vertex but for this, relative, fold nothing. */
+static const double AT_VERTEX = 1e-6;
+
 struct ph_ruling ph_ruling_at(const struct ph_strip *strip, double u) {
   const double s = u * strip->length;
   const struct ph_flat_place start = ph_flat_start(strip);
@@ -23,6 +26,34 @@ struct ph_ruling ph_ruling_at(const struct ph_strip *strip, double u) {
   r.kn = strip->kn;
   r.s = s;
   return r;
+}
+
+/* 1 - k h, where 1 / k is how far the vertex is along the ruling of a frame. */
+static double factor_on(const struct ph_strip *s,
+                        const struct ph_strip_frame *frame, double h) {
+  double away = 0;
+  if (!s->directrix) {
+    return 1 - s->k * h;
+  }
+  for (size_t i = 0; i < 3; i++) {
+    away += (s->vertex[i] - frame->point[i]) * frame->ruling[i];
+  }
+  return 1 - h / away;
+}
+
+bool ph_strip_folds(const struct ph_surface *surface,
+                    const struct ph_strip *strip, const struct ph_strip *next) {
+  for (size_t i = 0; i < 2; i++) {
+    const double height = surface->height[i];
+    const double a = factor_on(strip, &next->frame,
+                               ph_strip_height(surface, strip, height, 1));
+    const double b = factor_on(next, &next->frame,
+                               ph_strip_height(surface, next, height, 0));
+    if (fmin(a, b) < -AT_VERTEX && fmax(a, b) > AT_VERTEX) {
+      return true;
+    }
+  }
+  return false;
 }
 
 void ph_strip_describe(struct ph_strip *strip, const double end[3],

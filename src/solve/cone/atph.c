@@ -325,7 +325,6 @@ static void report(const struct general *g, struct ph_result *result) {
     ph_diagnostics_set_finite(diagnostics, f[j], sum[j]);
   }
   ph_diagnostics_set(diagnostics, PH_D_SHIFT, 0);
-  ph_diagnostics_set(diagnostics, PH_D_REGULAR, !(g->inside > 0));
   ph_diagnostics_set(diagnostics, PH_D_VERTICES_INSIDE, g->inside);
   ph_diagnostics_set(diagnostics, PH_D_INFLECTIONS, g->inflections);
   if (g->inside > 0) {
@@ -337,6 +336,7 @@ static void report(const struct general *g, struct ph_result *result) {
             "the vertex of strip %zu is within the height (such strips: %.0f)",
             first, g->inside);
   }
+  ph_cone_see_folds(g->inside > 0, result);
 }
 
 static enum ph_status build(struct general *g, struct ph_arena *out,

@@ -157,6 +157,26 @@ static void warn(const struct builder *b, struct ph_result *result) {
   }
 }
 
+void ph_cone_see_folds(bool inside, struct ph_result *result) {
+  const struct ph_curve *c = &result->curve;
+  const struct ph_strip *s = c->surface.strips;
+  struct count folded = {0, 0};
+  for (size_t i = 0; i < c->n; i++) {
+    if ((i + 1 < c->n || c->closed) &&
+        ph_strip_folds(&c->surface, &s[i], &s[i + 1 < c->n ? i + 1 : 0])) {
+      count_at(&folded, i);
+    }
+  }
+  ph_diagnostics_set(&result->diagnostics, PH_D_REGULAR, !inside && !folded.n);
+  ph_diagnostics_set(&result->diagnostics, PH_D_FOLDED, (double)folded.n);
+  if (folded.n) {
+    ph_warn(result, folded.first, PH_W_FOLDED,
+            "the surface turns back on itself at the end of strip %zu, as one "
+            "strip there is beyond its vertex (such rulings: %zu)",
+            folded.first, folded.n);
+  }
+}
+
 /* ---- the whole ----------------------------------------------------------- */
 
 static enum ph_status begin(struct builder *b, struct ph_arena *arena,
@@ -186,11 +206,11 @@ static void finish(struct builder *b, struct ph_result *result) {
   ph_diagnostics_set(diagnostics, PH_D_ITERATIONS, 0);
   ph_diagnostics_set(diagnostics, PH_D_RESIDUAL, b->residual);
   ph_diagnostics_set(diagnostics, PH_D_SHIFT, back(b, b->farthest));
-  ph_diagnostics_set(diagnostics, PH_D_REGULAR, !b->inside.n);
   ph_diagnostics_set(diagnostics, PH_D_VERTICES_INSIDE, (double)b->inside.n);
   ph_diagnostics_set(diagnostics, PH_D_SIGN_CHANGES, (double)b->changes.n);
   ph_diagnostics_set(diagnostics, PH_D_LARGE_ARCS, (double)b->large.n);
   warn(b, result);
+  ph_cone_see_folds(b->inside.n > 0, result);
 }
 
 enum ph_status ph_cone_build(const struct ph_cone_data *data,

@@ -125,6 +125,11 @@ enum ph_status ph_cone_build(const struct ph_cone_data *data,
                              struct ph_arena *arena, struct ph_result *result,
                              struct ph_diag *diag);
 
+/* ph_cone_see_folds: where strips fold, told in diagnostics and a warning, and
+ * with that whether the surface is regular.  inside: a vertex is within the
+ * height. */
+void ph_cone_see_folds(bool inside, struct ph_result *result);
+
 /*
  * ph_cone_general: the same of general cones [GON18, sec. 4.4]: two strips in
  * each pair, whose vertices v1 and v2 are at the apexes along the rulings of
