@@ -20,7 +20,6 @@ import sys
 from collections import Counter
 
 import numpy as np
-from scipy.optimize import least_squares
 
 KINDS = {"any": 0.86, "near": 0.06, "cone": 0.02, "slope": 0.02,
          "cylinder": 0.01, "saddle": 0.0075, "planes": 0.0075,
@@ -172,42 +171,71 @@ def check_printed(table, p, e, d):
 # ---- what is refused ---------------------------------------------------------
 
 
+def dot(a, b):
+    return np.sum(a * b, axis=-1, keepdims=True)
+
+
 def arc_end(a, e, d, n, c):
-    """The frame where the arc from a to c ends."""
+    """The frames where the arcs from a to c end."""
     v = c - a
-    vv = v @ v
-    k, kn = 2 * (v @ e) / vv, 2 * (v @ n) / vv
-    return e - k * v, 2 * (v @ d) / vv * v - d, n - kn * v
+    vv = dot(v, v)
+    k, kn = 2 * dot(v, e) / vv, 2 * dot(v, n) / vv
+    return e - k * v, 2 * dot(v, d) / vv * v - d, n - kn * v
 
 
 def misses(x, p, e, d, size):
-    """How a biarc misses the second frame."""
+    """How biarcs miss the second frame: one for each row of x."""
     n = np.cross(e, d)
-    a = p + x[:2, None] * size * e
+    a = [p[j] + x[:, j, None] * size * e[j] for j in range(2)]
     A = a[1] - a[0]
-    lam = x[2] * size
-    N, D = A @ A / 2 - lam * (A @ d[0]), A @ d[1] + lam * (1 - d[0] @ d[1])
-    det = lam * D + N
-    if not abs(det) > 1e-12 * (A @ A) or abs(lam) < 1e-9 * size:
-        return np.full(9, 10.0)
-    c = (N * (a[0] + lam * d[0]) + lam * (D * a[1] - N * d[1])) / det
-    f = arc_end(a[0], e[0], d[0], n[0], c)
-    g = arc_end(c, *f, a[1])
-    out = np.concatenate([g[0] - e[1], g[1] - d[1], g[2] - n[1]])
-    return out if np.isfinite(out).all() else np.full(9, 10.0)
+    lam = x[:, 2:] * size
+    N = dot(A, A) / 2 - lam * dot(A, d[0])
+    D = dot(A, d[1]) + lam * (1 - d[0] @ d[1])
+    with np.errstate(all="ignore"):
+        c = (N * (a[0] + lam * d[0]) + lam * (D * a[1] - N * d[1])) / \
+            (lam * D + N)
+        f = arc_end(a[0], e[0], d[0], n[0], c)
+        g = arc_end(c, *f, a[1])
+    out = np.concatenate([g[0] - e[1], g[1] - d[1], g[2] - n[1]], axis=1)
+    return np.where(np.isfinite(out).all(axis=1)[:, None], out, 10.0)
+
+
+LOW, HIGH = np.array([-100, -100, 1e-3]), np.array([100, 100, 1e3])
+
+
+def least_squares(f, x, steps=100):
+    """The least squares that Gauss-Newton steps, damped as Levenberg and
+    Marquardt do, come to from every row of x within LOW and HIGH: residuals."""
+    r = f(x)
+    damping = np.full(len(x), 1e-3)
+    for _ in range(steps):
+        h = 1e-7 * np.maximum(np.abs(x), 1e-2)
+        J = np.stack([(f(x + h * axis) - r) / h[:, i, None]
+                      for i, axis in enumerate(np.eye(3))], axis=2)
+        JT = np.transpose(J, (0, 2, 1))
+        M = JT @ J
+        scale = np.maximum(np.diagonal(M, axis1=1, axis2=2), 1e-12)
+        M = M + (damping[:, None] * scale)[..., None] * np.eye(3)
+        step = np.linalg.solve(M, JT @ r[..., None])[..., 0]
+        y = np.clip(x - step, LOW, HIGH)
+        s = f(y)
+        better = np.sum(s * s, axis=1) < np.sum(r * r, axis=1)
+        x = np.where(better[:, None], y, x)
+        r = np.where(better[:, None], s, r)
+        damping = np.where(better, np.maximum(damping / 5, 1e-9),
+                           np.minimum(damping * 4, 1e9))
+        if np.abs(r).max(axis=1).min() < 1e-5:
+            break
+    return r
 
 
 def has_none(rng, p, e, d):
     """Whether no biarc with contact points nearer than 100 distances does."""
     size = np.linalg.norm(p[1] - p[0])
-    for _ in range(12):
-        x = np.append(rng.uniform(-3, 3, 2), 10 ** rng.uniform(-1, 1))
-        low, high = [-100, -100, 1e-3], [100, 100, 1e3]
-        fit = least_squares(misses, x, bounds=(low, high), max_nfev=100,
-                            args=(p, e, d, size))
-        if np.abs(fit.fun).max() < 1e-5:
-            return False
-    return True
+    x = np.column_stack([rng.uniform(-3, 3, (12, 2)),
+                         10 ** rng.uniform(-1, 1, 12)])
+    r = least_squares(lambda x: misses(x, p, e, d, size), x)
+    return not np.abs(r).max(axis=1).min() < 1e-5
 
 
 def no_legs(p, e, d):
