@@ -2,6 +2,7 @@
 /* The table of formats (see format.h). */
 #include "io/format.h"
 
+#include "curve/surface/grid.h"
 #include "io/dxf_out.h"
 #include "io/gcode_out.h"
 #include "io/geojson_out.h"
@@ -68,18 +69,42 @@ static void path_solved(struct ph_buf *buf, const struct ph_print *print,
   ph_buf_puts(buf, "\n");
 }
 
+/* The flat pattern of a surface: its outline, then the rulings between strips,
+ * apart, as what cuts and bends is to tell them. */
+static void pattern_solved(struct ph_buf *buf, const struct ph_solved *s,
+                           const struct ph_curve *curve,
+                           const struct ph_pieces *path,
+                           struct ph_svg_name *name) {
+  const size_t rulings = ph_flat_rulings(curve);
+  struct ph_pieces part = *path;
+  part.n -= rulings;
+  ph_svg_element(buf, name, &part, rulings > 0 || s->result->curve.closed,
+                 !s->downward, s->box);
+  part.control_points += 8 * part.n;
+  part.n = rulings;
+  name->rulings = true;
+  ph_svg_element(buf, name, &part, false, !s->downward, s->box);
+  name->rulings = false;
+}
+
 static void drawing_solved(struct ph_buf *buf, const struct ph_print *print,
                            const struct ph_solved *s) {
-  struct ph_svg_name name = {s->id, NULL, s->heading->swept,
+  struct ph_svg_name name = {s->id, NULL, false, s->heading->swept,
                              s->heading->swept_n};
+  const struct ph_result *r = s->result;
   bool closed;
   (void)print;
   for (size_t i = 0; i < s->paths_n; i++) {
     const struct ph_offset *o = path_of(s, i, &closed);
-    name.distance = o       ? &o->distance
-                    : i > 0 ? &s->result->parallels[i - 1].distance
-                            : NULL;
-    ph_svg_element(buf, &name, &s->paths[i], closed, !s->downward, s->box);
+    const struct ph_parallel *parallel =
+        i > 0 && !o ? &r->parallels[i - 1] : NULL;
+    name.distance = o ? &o->distance : parallel ? &parallel->distance : NULL;
+    if (r->curve.kind == PH_CURVE_CONE) {
+      pattern_solved(buf, s, parallel ? &parallel->curve : &r->curve,
+                     &s->paths[i], &name);
+    } else {
+      ph_svg_element(buf, &name, &s->paths[i], closed, !s->downward, s->box);
+    }
   }
 }
 
@@ -134,7 +159,7 @@ static void roads_header(struct ph_buf *buf, const struct ph_print *print,
 
 static void roads_solved(struct ph_buf *buf, const struct ph_print *print,
                          const struct ph_solved *s) {
-  const struct ph_svg_name name = {s->id, NULL, s->heading->swept,
+  const struct ph_svg_name name = {s->id, NULL, false, s->heading->swept,
                                    s->heading->swept_n};
   (void)print;
   ph_opendrive_out(buf, &name, s->number, s->downward, &s->result->curve);

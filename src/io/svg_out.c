@@ -91,11 +91,17 @@ void ph_svg_name_put(struct ph_buf *buf, const struct ph_svg_name *name) {
     ph_buf_puts(buf, "@");
     number(buf, *name->distance);
   }
+  if (name->rulings) {
+    ph_buf_puts(buf, "/rulings");
+  }
 }
 
 void ph_svg_element(struct ph_buf *buf, const struct ph_svg_name *name,
                     const struct ph_pieces *cubics, bool closed, bool up,
                     double box[4]) {
+  static const char *const classes[2][2] = {
+      {"\"", "\" class=\"offset\""},
+      {"\" class=\"ruling\"", "\" class=\"offset ruling\""}};
   const double *p = cubics->control_points;
   if (cubics->n == 0) {
     return;
@@ -106,7 +112,7 @@ void ph_svg_element(struct ph_buf *buf, const struct ph_svg_name *name,
   }
   ph_buf_puts(buf, "<path id=\"");
   ph_svg_name_put(buf, name);
-  ph_buf_puts(buf, name->distance ? "\" class=\"offset\"" : "\"");
+  ph_buf_puts(buf, classes[name->rulings][!!name->distance]);
   ph_buf_puts(buf, up ? " transform=\"scale(1,-1)\" d=\"" : " d=\"");
   ph_svg_path(buf, cubics, closed);
   ph_buf_puts(buf, "\"/>\n");
@@ -128,7 +134,8 @@ void ph_svg_header(struct ph_buf *buf, const double box[4]) {
   }
   ph_buf_puts(buf, "\">\n<style>path { fill: none; stroke: black; "
                    "vector-effect: non-scaling-stroke }\n"
-                   ".offset { stroke: gray }</style>\n");
+                   ".offset { stroke: gray }\n"
+                   ".ruling { stroke-dasharray: 6 4 }</style>\n");
 }
 
 void ph_svg_footer(struct ph_buf *buf) {

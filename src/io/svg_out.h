@@ -35,13 +35,14 @@ void ph_svg_join(double box[4], const double other[4]);
 struct ph_svg_name {
   const char *id;
   const double *distance; /* of an offset; NULL: it is none */
+  bool rulings;           /* between strips, of the flat pattern id */
   const struct ph_swept *swept;
   size_t swept_n;
 };
 
 /* ph_svg_name_put: appends a name as part of an attribute: that of the curve,
  * of a sweep with the values, of offsets with @ and the distance; blanks and
- * what XML cannot have are _ */
+ * what XML cannot have are _; then /rulings, of rulings */
 void ph_svg_name_put(struct ph_buf *buf, const struct ph_svg_name *name);
 
 /*

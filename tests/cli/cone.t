@@ -269,6 +269,29 @@ true_that 'a flat pattern: its outline is closed, and of two radii' awk '
   }
   END { exit bad }' out
 
+# d CLASS: the attribute d of the path of that class in out, "none" of those without
+d() {
+  case $1 in
+  none) grep '<path ' out | grep -v class= ;;
+  *) grep "class=\"$1\"" out ;;
+  esac | sed 's/.* d="\([^"]*\)".*/\1/'
+}
+
+cp out pattern
+run cone -q --format=svg --offset=0.1 part.json
+equal 'a drawing of a flat pattern: rulings are apart from the outline' \
+  '1  1/rulings ruling 1@0.1 offset 1@0.1/rulings offset ruling' \
+  "$(sed -n 's/^<path id="\([^"]*\)"\( class="\([^"]*\)"\)*.*/\1 \3/p' out |
+    tr '\n' ' ' | sed 's/ $//')"
+equal 'a drawing of a flat pattern: an outline, closed, and three rulings' \
+  'MZ MMM' "$(d none | tr -dc MZ) $(d ruling | tr -dc MZ)"
+equal 'a drawing of a flat pattern: the paths are those of svg-path' \
+  "$(cat pattern)" "$(d none | tr -d Z)$(d ruling)"
+jq -c 'del(.height)' part.json >bare.json
+run cone -q --format=svg bare.json
+equal 'a drawing without a height: the contact curve' 'M 1' \
+  "$(d none | tr -dc MZ) $(grep -c '<path ' out)"
+
 # Squares of coordinates are out of range.
 for unit in 1e-160 1e213; do
   jq -c --argjson u "$unit" '.points |= map(map(. * $u)) | del(.height, .closed)' \

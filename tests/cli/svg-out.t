@@ -18,7 +18,8 @@ feed '{"points":[[0,0],[3,0]],"id":"a"}' planar -f svg
 expect 'a drawing' 0 '' \
   '<svg xmlns="http://www.w3.org/2000/svg" viewBox="-0.06 -0.06 3.12 0.12">
 <style>path { fill: none; stroke: black; vector-effect: non-scaling-stroke }
-.offset { stroke: gray }</style>
+.offset { stroke: gray }
+.ruling { stroke-dasharray: 6 4 }</style>
 <path id="a" transform="scale(1,-1)" d="M0,0C1,0 2,0 3,0"/>
 </svg>'
 feed '' planar -f svg
@@ -59,4 +60,4 @@ done >found
 true_that '--tolerance makes more cubics' \
   test "$(tail -n 1 found)" -gt $((2 * $(head -n 1 found)))
 run cone --height='[-5,5]' -f svg --closed "$srcdir/data/lampshade.csv"
-equal 'the pattern of a surface' '0 1' "$status $(grep -c '<path' out)"
+equal 'the pattern of a surface' '0 2' "$status $(grep -c '<path' out)"

@@ -279,14 +279,21 @@ static void add_line(struct path *path, const struct ph_strip *strip, double u,
   add_piece(path, &from, &to, 0);
 }
 
+static bool has_outline(const struct ph_curve *curve) {
+  return curve->surface.height[1] > curve->surface.height[0];
+}
+
+size_t ph_flat_rulings(const struct ph_curve *curve) {
+  return has_outline(curve) ? curve->n - 1 : 0;
+}
+
 static void add_all(struct path *path) {
   const struct ph_curve *c = path->curve;
   const struct ph_strip *strips = c->surface.strips;
-  const bool outline = c->surface.height[1] > c->surface.height[0];
   for (size_t i = 0; i < c->n; i++) {
     add_edge(path, &strips[i], 0, false);
   }
-  if (!outline) {
+  if (!has_outline(c)) {
     return;
   }
   add_line(path, &strips[c->n - 1], 1, 0);

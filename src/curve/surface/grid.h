@@ -61,6 +61,10 @@ enum ph_status ph_flat_paths(const struct ph_curve *curve, double tolerance,
                              struct ph_arena *arena, struct ph_pieces *path,
                              struct ph_diag *diag);
 
+/* ph_flat_rulings: how many pieces of that, the last ones, are rulings between
+ * strips, each one piece; before them is the outline. */
+size_t ph_flat_rulings(const struct ph_curve *curve);
+
 /* ph_surface_size: half the diagonal of the bounding box of the contact curves'
  * ends. */
 double ph_surface_size(const struct ph_curve *curve);
