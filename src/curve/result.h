@@ -389,7 +389,7 @@ struct ph_warning {
 enum { PH_WARNINGS_MAX = 8 };
 
 /* The theorem of Kantorovich at a solution of nonlinear equations: solve/ says
- * of which (solve/planar/planar.h). */
+ * of which (solve/planar/c2.h). */
 struct ph_kantorovich {
   double b, c, k, h;
   double radius;  /* infinite unless certified */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Every solution of the C2 equations (planar.h), by a homotopy.
+ * Every solution of the C2 equations (c2.h), by a homotopy.
  *
  * The family.  Equation k is F[k] = mm b[k]^2 + R[k](b) - wanted, with R the
  * terms that have b[k-1] or b[k+1] (struct ph_planar_form).  Without R it
@@ -24,7 +24,7 @@
  * the predictor, by which the next step dt is chosen.
  *
  * The end.  Newton on the equations themselves, to rounding.  Two ends are the
- * same root if their balls of Kantorovich's theorem (planar.h)
+ * same root if their balls of Kantorovich's theorem (c2.h)
  * meet.  As many different roots as Bezout's theorem allows are all roots, no
  * matter how they were found.  So a path that was lost, or that went astray
  * and met another's end, shows; then all are followed again with another gamma
@@ -37,7 +37,7 @@
  * and the unknowns have half of the digits only, while the equations hold to
  * rounding.
  */
-#include "solve/planar/planar.h"
+#include "solve/planar/c2.h"
 
 #include <float.h>
 #include <math.h>

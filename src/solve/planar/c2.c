@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The C2 equations of planar PH quintic splines (planar.h): their rows,
+ * The C2 equations of planar PH quintic splines (c2.h): their rows,
  * starting values, and damped Newton iteration.  Every pass is O(n).
  *
  * Starting values [GON18, (2.32)-(2.34), with the factor 1/h that the printed
@@ -9,7 +9,7 @@
  * which is linear in the unknowns.  Signs are chosen so that w turns by at
  * most a quarter turn from each middle to the next.
  */
-#include "solve/planar/planar.h"
+#include "solve/planar/c2.h"
 
 #include <math.h>
 

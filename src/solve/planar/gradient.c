@@ -8,7 +8,7 @@
  *   dJ = J_p dp - Re(x^T F_p) dp,   F_b^T x = J_b                        (1)
  *
  * where real functions of complex z have derivatives c with dJ = Re(c dz). Both
- * J and F depend on b and the weights y by w at the knots (planar.h), on h
+ * J and F depend on b and the weights y by w at the knots (c2.h), on h
  * by W = sqrt(h) w and the factor h of F, and on the angle by the functions
  * of its space (kernel/atph.h).
  */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The theorem of Kantorovich for the C2 equations (planar.h).
+ * The theorem of Kantorovich for the C2 equations (c2.h).
  *
  * K.  Row i of F'(x) - F'(y) is made of the form's coefficients times the
  * differences of three unknowns; each coefficient occurs with the sum of its
@@ -39,7 +39,7 @@
  * row at most Y, where Y = (1 + |y|) / |s|, |y| at most the row sums of T^-1
  * in the first and the last row, times the two entries of v.
  */
-#include "solve/planar/planar.h"
+#include "solve/planar/c2.h"
 
 #include <math.h>
 

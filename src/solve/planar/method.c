@@ -4,7 +4,7 @@
  * spline.
  *
  * The data are checked and brought to unit scale (planar.h), the C2
- * equations solved (planar.h), and the preimage mapped back.
+ * equations solved (c2.h), and the preimage mapped back.
  *
  * [GON18] gives the equations for knots that are sums of the angles alpha; PH
  * quintics may have any knots, chordal by default.

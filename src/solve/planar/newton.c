@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Solves the C2 equations (planar.h): Newton from two starts, damped where
+ * Solves the C2 equations (c2.h): Newton from two starts, damped where
  * it fails plain.
  *
  * Newton from the chord start has not failed on any of the data that the
  * method was measured on; the midpoint start is there for what was not.  The
  * number of steps does not depend on n.
  */
-#include "solve/planar/planar.h"
+#include "solve/planar/c2.h"
 
 #include "base/team.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The C2 equations of many smooth data, PH quintics, in less work than Newton's
- * method takes from the chords (planar.h).  What is found is measured as there.
+ * method takes from the chords (c2.h).  What is found is measured as there.
  *
  * Start.  The mean of the derivative over segment k is d_k = c_k / h_k, so that
  * of the parabola with the means d_-, d, d_+ the value in the middle is
@@ -22,7 +22,7 @@
  * in every step.  Its factors forget where elimination began: that of a closed
  * curve begins WARM rows before the cut.  [Derived here]
  */
-#include "solve/planar/planar.h"
+#include "solve/planar/c2.h"
 
 #include <math.h>
 
