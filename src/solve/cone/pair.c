@@ -26,6 +26,9 @@
 /* Differences of unit vectors below this are rounding. */
 static const double SAME = 1e-13;
 
+/* A pair whose last frame misses by less than this is as good as any. */
+static const double EXACT = 1e-12;
+
 /* What is small beside the distance of the points counts as nothing. */
 static const double NOTHING = 1e-8;
 
@@ -99,6 +102,7 @@ struct elements {
   ph_vec3 half;
   double apart; /* of the points */
   double degenerate;
+  unsigned tried; /* cases that are not to be taken again, as bits */
 };
 
 /* The points where a sphere touches. */
@@ -159,6 +163,10 @@ static double inconsistency(const struct rows *rows, ph_vec3 w) {
   return fabs(sum) / sqrt(squares);
 }
 
+static bool is_tried(const struct elements *in, enum ph_pair_case which) {
+  return in->tried >> which & 1;
+}
+
 /* No sphere, or many: w is along the line of centres, or both axes. */
 static enum ph_cone_reason without_sphere(const struct elements *in,
                                           const struct rows *rows, ph_vec3 w,
@@ -174,11 +182,12 @@ static enum ph_cone_reason without_sphere(const struct elements *in,
     pair->which = PH_PAIR_FLAT;
     return 2 * off > nothing * in->apart ? PH_CONE_PLANES : PH_CONE_OK;
   }
-  if (rank2 && inconsistency(rows, w) <= nothing * in->apart) {
+  if (rank2 && !is_tried(in, PH_PAIR_PENCIL) &&
+      inconsistency(rows, w) <= nothing * in->apart) {
     touch_nearest(in, rows, w, pair);
     return PH_CONE_OK;
   }
-  if (meets(in)) {
+  if (!is_tried(in, PH_PAIR_APEX) && meets(in)) {
     touch_apex(in, pair);
     return PH_CONE_OK;
   }
@@ -367,24 +376,45 @@ static enum ph_cone_reason find_strips(const struct elements *in,
   return both ? PH_CONE_OK : PH_CONE_ARC;
 }
 
+static enum ph_cone_reason attempt(const struct elements *in, double lambda,
+                                   struct ph_cone_pair *pair) {
+  enum ph_cone_reason reason = find_contact(in, pair);
+  ph_vec3 a, chord[2];
+  if (reason != PH_CONE_OK) {
+    return reason;
+  }
+  a = ph_vec3_along(ph_vec3_scale(2, in->half), pair->shift[1], in->last->e);
+  a = ph_vec3_along(a, -pair->shift[0], in->first->e);
+  pair->chord = ph_vec3_abs(a);
+  if (!(pair->chord > NO_ARC * (in->apart + fabs(pair->shift[0])))) {
+    return PH_CONE_CONTACT;
+  }
+  reason = find_chords(in, a, lambda, pair, chord);
+  return reason == PH_CONE_OK ? find_strips(in, chord, pair) : reason;
+}
+
+/* Data with noise may be within the tolerance of several cases: that is taken
+ * whose last frame misses the least. */
 enum ph_cone_reason ph_cone_pair(const struct ph_contact_element *first,
                                  const struct ph_contact_element *last,
                                  double lambda, double degenerate,
                                  struct ph_cone_pair *pair) {
   const ph_vec3 way = ph_vec3_sub(last->p, first->p);
-  const struct elements in = {first, last, ph_vec3_scale(0.5, way),
-                              ph_vec3_abs(way), degenerate};
-  enum ph_cone_reason reason = find_contact(&in, pair);
-  ph_vec3 a, chord[2];
-  if (reason != PH_CONE_OK) {
+  struct elements in = {
+      first, last, ph_vec3_scale(0.5, way), ph_vec3_abs(way), degenerate, 0};
+  const enum ph_cone_reason reason = attempt(&in, lambda, pair);
+  struct ph_cone_pair next;
+  if (reason != PH_CONE_OK || pair->residual <= EXACT) {
     return reason;
   }
-  a = ph_vec3_along(way, pair->shift[1], last->e);
-  a = ph_vec3_along(a, -pair->shift[0], first->e);
-  pair->chord = ph_vec3_abs(a);
-  if (!(pair->chord > NO_ARC * (in.apart + fabs(pair->shift[0])))) {
-    return PH_CONE_CONTACT;
+  next.which = pair->which;
+  while ((next.which == PH_PAIR_PENCIL || next.which == PH_PAIR_APEX) &&
+         !is_tried(&in, next.which)) {
+    in.tried |= 1u << next.which;
+    if (attempt(&in, lambda, &next) == PH_CONE_OK &&
+        next.residual < pair->residual) {
+      *pair = next;
+    }
   }
-  reason = find_chords(&in, a, lambda, pair, chord);
-  return reason == PH_CONE_OK ? find_strips(&in, chord, pair) : reason;
+  return PH_CONE_OK;
 }
