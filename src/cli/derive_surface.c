@@ -53,6 +53,27 @@ static void warn_folds(struct ph_result *r) {
   }
 }
 
+/* The same of rulings where strips of circular cones turn back: those beside
+ * general ones are no cones. */
+static void warn_turns(struct ph_result *r) {
+  size_t first = 0;
+  if (r->curve.surface.strips->directrix ||
+      ph_surface_folds(&r->curve, &first)) {
+    return;
+  }
+  for (size_t i = 0; i < r->parallels_n; i++) {
+    const size_t n = ph_surface_folds(&r->parallels[i].curve, &first);
+    if (n) {
+      ph_warn(r, first, PH_W_FOLDED,
+              "the surface at the distance %g turns back on itself at the end "
+              "of strip %zu, as one strip there is beyond its vertex (such "
+              "rulings: %zu)",
+              r->parallels[i].distance, first, n);
+      return;
+    }
+  }
+}
+
 static enum ph_status derive_parallels(const struct ph_options *o,
                                        struct ph_arena *arena,
                                        struct ph_result *r,
@@ -69,6 +90,7 @@ static enum ph_status derive_parallels(const struct ph_options *o,
   r->parallels_n = o->offsets_n;
   if (status == PH_OK) {
     warn_folds(r);
+    warn_turns(r);
   }
   return status;
 }

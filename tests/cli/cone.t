@@ -436,6 +436,11 @@ for change in '.folded = 0' '.regular = true'; do
 done
 feed "$(echo "$fold" | sed 's/FROM/[-1.6,-1.2]/')" cone
 true_that 'not folded' jq -e '.diagnostics | .folded == 0 and .regular' out
+feed "$(echo "$fold" | sed 's/FROM/[-1.6,-1.58]/')" cone --offset=0.5,0.95
+true_that 'folded: not the surface, but that at a distance' jq -e '
+  .diagnostics.folded == 0 and ([.warnings[] | select(.code == "folded") |
+  .message] == ["the surface at the distance 0.95 turns back on itself " +
+  "at the end of strip 0, as one strip there is beyond its vertex (such rulings: 1)"])' out
 # ---- the command line --------------------------------------------------------
 
 # usage NAME MESSAGE OPTION...

@@ -41,8 +41,8 @@ static double factor_on(const struct ph_strip *s,
   return 1 - h / away;
 }
 
-bool ph_strip_folds(const struct ph_surface *surface,
-                    const struct ph_strip *strip, const struct ph_strip *next) {
+static bool folds(const struct ph_surface *surface,
+                  const struct ph_strip *strip, const struct ph_strip *next) {
   for (size_t i = 0; i < 2; i++) {
     const double height = surface->height[i];
     const double a = factor_on(strip, &next->frame,
@@ -54,6 +54,19 @@ bool ph_strip_folds(const struct ph_surface *surface,
     }
   }
   return false;
+}
+
+size_t ph_surface_folds(const struct ph_curve *curve, size_t *first) {
+  const struct ph_strip *s = curve->surface.strips;
+  size_t n = 0;
+  for (size_t i = curve->n; i-- > 0;) {
+    if ((i + 1 < curve->n || curve->closed) &&
+        folds(&curve->surface, &s[i], &s[i + 1 < curve->n ? i + 1 : 0])) {
+      *first = i;
+      n++;
+    }
+  }
+  return n;
 }
 
 void ph_strip_describe(struct ph_strip *strip, const double end[3],

@@ -112,10 +112,10 @@ static inline void ph_strip_corners(const struct ph_surface *surface,
   }
 }
 
-/* ph_strip_folds: whether the surface turns back on the ruling from a strip to
- * the next: somewhere within the height, one of them is beyond its vertex. */
-bool ph_strip_folds(const struct ph_surface *surface,
-                    const struct ph_strip *strip, const struct ph_strip *next);
+/* ph_surface_folds: at the ends of how many strips the surface turns back on
+ * the ruling to the next, and the first of them: somewhere within the height,
+ * one of both strips is beyond its vertex. */
+size_t ph_surface_folds(const struct ph_curve *curve, size_t *first);
 
 /* ph_strip_describe: what follows from the frame, the curvatures and the
  * length, and for the contact curve from its end, its chord and its weight. */

@@ -158,22 +158,15 @@ static void warn(const struct builder *b, struct ph_result *result) {
 }
 
 void ph_cone_see_folds(bool inside, struct ph_result *result) {
-  const struct ph_curve *c = &result->curve;
-  const struct ph_strip *s = c->surface.strips;
-  struct count folded = {0, 0};
-  for (size_t i = 0; i < c->n; i++) {
-    if ((i + 1 < c->n || c->closed) &&
-        ph_strip_folds(&c->surface, &s[i], &s[i + 1 < c->n ? i + 1 : 0])) {
-      count_at(&folded, i);
-    }
-  }
-  ph_diagnostics_set(&result->diagnostics, PH_D_REGULAR, !inside && !folded.n);
-  ph_diagnostics_set(&result->diagnostics, PH_D_FOLDED, (double)folded.n);
-  if (folded.n) {
-    ph_warn(result, folded.first, PH_W_FOLDED,
+  size_t first = 0;
+  const size_t n = ph_surface_folds(&result->curve, &first);
+  ph_diagnostics_set(&result->diagnostics, PH_D_REGULAR, !inside && !n);
+  ph_diagnostics_set(&result->diagnostics, PH_D_FOLDED, (double)n);
+  if (n) {
+    ph_warn(result, first, PH_W_FOLDED,
             "the surface turns back on itself at the end of strip %zu, as one "
             "strip there is beyond its vertex (such rulings: %zu)",
-            folded.first, folded.n);
+            first, n);
   }
 }
 
