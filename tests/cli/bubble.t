@@ -211,13 +211,15 @@ equal 'no degree is high enough' 'no-convergence faces[0] needs blending '\
 equal 'no degree is high enough: the status' 1 "$status"
 run bubble -q --degree=31 rough.json
 expect 'a degree that is given' 0
-# one corner of a box is far away: no singular values are found
+# one corner of a box is far away: quadrics are found, normals lie along edges
 printf '%s\n' 'v -1 -1 -8.000000000000008e+63' 'v 1 -1 -1' 'v -1 1 -1' 'v 1 1 0' \
   'v -1 -1 1' 'v 1 -1 1' 'v -1 1 1' 'v 2 1 1' 'f 1 3 4 2' 'f 5 6 8 7' \
   'f 1 2 6 5' >far.obj
 run bubble -q --subdivide=1 far.obj
-equal 'no singular values' 'no-convergence points[19] has points around it '\
-'that are too uneven for a quadric' "$(jq -r '.error | "\(.code) \(.message)"' out)"
+equal 'a corner far away' 'bad-value faces[7] cannot be smooth: its edge '\
+'between points[6] and points[18] is parallel to a normal at one of its ends; '\
+'look at these normals, or take continuity 0' \
+  "$(jq -r '.error | "\(.code) \(.message)"' out)"
 
 # normals that turn a corner back over its neighbours
 warned 1 folded 'the patch of faces[0] is folded: its normal turns to the '\

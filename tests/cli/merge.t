@@ -137,5 +137,5 @@ for x in nan inf x; do
 Try 'phspline planar --help'."
 done
 run verify --merge=1 result
-expect 'verify has set' 2 "phspline: unknown option '--merge'
+expect 'verify has set' 2 "phspline: verify has no option '--merge', but there is one of planar
 Try 'phspline verify --help'."

@@ -109,8 +109,15 @@ static bool lengthen(const struct solved *last, enum ph_g2_rule rule,
   }
   next->solution = (struct ph_g2_solution){.iterations = 0};
   *status = ph_g2_add(&last->chain, apex, n, &next->arena, &next->chain, diag);
-  if (*status != PH_OK || plan_and_solve(&next->chain, true, rule, &next->arena,
-                                         &next->solution, &why) != PH_OK) {
+  if (*status != PH_OK) {
+    return false;
+  }
+  const enum ph_status solved = plan_and_solve(
+      &next->chain, true, rule, &next->arena, &next->solution, &why);
+  if (solved == PH_E_NO_MEMORY) { /* not that there is none */
+    *status = ph_fail_memory(diag);
+  }
+  if (solved != PH_OK) {
     return false;
   }
   next->solution.iterations += last->solution.iterations;
