@@ -304,11 +304,29 @@ static int goes_on(ph_vec3 a, ph_vec3 b, ph_vec3 c) {
   return !(3 * ph_vec3_dot(first, first) <= ph_vec3_dot(first, second));
 }
 
+/* Whether no distance is so much shorter than those beside it that the curve
+ * may turn back within and on again: where it rests for a moment between
+ * points, at a speed of t^2, the squares of these are 50 times that of the
+ * shorter one at least. */
+static int keeps_on(const struct interval *v, size_t step) {
+  double before = 0, here = HUGE_VAL;
+  int on = 1;
+  for (size_t i = 0; i + step < POINTS; i += step) {
+    ph_vec3 d = ph_vec3_sub(v->s[i + step], v->s[i]);
+    double next = ph_vec3_dot(d, d);
+    on = on && !(18 * here <= before + next);
+    before = i > 0 ? here : 0;
+    here = next;
+  }
+  return on;
+}
+
 /* Whether the points of an interval, or every step-th one, can be trusted. */
 static int is_fine(const struct ph_check_nu_segment *s,
                    const struct interval *v, size_t step) {
   const ph_vec3 *last = v->s + POINTS - 1;
-  return is_narrow(s, v) && goes_on(v->s[0], v->s[step], v->s[2 * step]) &&
+  return is_narrow(s, v) && keeps_on(v, step) &&
+         goes_on(v->s[0], v->s[step], v->s[2 * step]) &&
          goes_on(*last, *(last - step), *(last - 2 * step));
 }
 

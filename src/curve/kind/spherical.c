@@ -134,6 +134,8 @@ struct state {
   double scale;               /* to the unit of the data */
   double *breaks;             /* u of cusps, those of the segment at next */
   size_t breaks_n, next;
+  double *places; /* these and corners of the speed */
+  size_t places_n;
 };
 
 static enum ph_status begin(struct ph_sampler *sampler, struct ph_diag *diag) {
@@ -141,10 +143,12 @@ static enum ph_status begin(struct ph_sampler *sampler, struct ph_diag *diag) {
   const size_t n = offset ? offset->cusps.n : 0;
   struct state *state = ph_arena_array(sampler->arena, 1, sizeof *state);
   double *breaks = ph_arena_array(sampler->arena, n + 1, sizeof *breaks);
-  if (!state || !breaks) {
+  double *places =
+      ph_arena_array(sampler->arena, n + PH_SPHERICAL_CORNERS, sizeof *places);
+  if (!state || !breaks || !places) {
     return ph_fail_memory(diag);
   }
-  *state = (struct state){.breaks = breaks, .cosine = 1};
+  *state = (struct state){.breaks = breaks, .places = places, .cosine = 1};
   if (offset) {
     state->angle = offset->distance / sampler->curve->sphere.radius;
     state->cosine = cos(state->angle);
@@ -174,6 +178,21 @@ static void find_breaks(struct state *state, const struct ph_offset *offset,
     i++;
   }
   state->breaks_n = i - state->next;
+}
+
+/* The places where the length is split, in order. */
+static void merge_places(struct state *state) {
+  const double *breaks = state->breaks + state->next;
+  double corner[PH_SPHERICAL_CORNERS];
+  size_t n = ph_spherical_corners(&state->segment.segment, corner);
+  size_t i = 0, j = 0;
+  while (i < n || j < state->breaks_n) {
+    bool is_corner = j == state->breaks_n || (i < n && corner[i] < breaks[j]);
+    state->places[i + j] = is_corner ? corner[i] : breaks[j];
+    i += is_corner;
+    j += !is_corner;
+  }
+  state->places_n = i + j;
 }
 
 /* |g| */
@@ -206,9 +225,8 @@ static enum ph_status tabulate(struct ph_sampler *sampler) {
   double precision = precision_of(state);
   enum ph_status status = PH_E_NO_CONVERGENCE;
   for (int i = 0; i < TRIES && status == PH_E_NO_CONVERGENCE; i++) {
-    status = ph_primitive_make(&state->length, speed_at, state,
-                               state->breaks + state->next, state->breaks_n,
-                               precision, sampler->arena);
+    status = ph_primitive_make(&state->length, speed_at, state, state->places,
+                               state->places_n, precision, sampler->arena);
     precision *= 10;
   }
   return status;
@@ -226,6 +244,7 @@ static enum ph_status enter(struct ph_sampler *sampler, struct ph_diag *diag) {
   if (sampler->offset) {
     find_breaks(state, sampler->offset, sampler->k);
   }
+  merge_places(state);
   status = tabulate(sampler);
   if (status == PH_E_NO_MEMORY) {
     return ph_fail_memory(diag);

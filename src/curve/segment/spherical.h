@@ -84,4 +84,16 @@ enum ph_status ph_spherical_length(const struct ph_spherical *s,
                                    struct ph_primitive *table,
                                    struct ph_arena *arena, double *length);
 
+/*
+ * ph_spherical_corners: the places within, about, that 16 values of the speed
+ * may step over: where a curve runs back for a short way, its speed has two
+ * corners near each other.  None of most segments.
+ *
+ * out  at[PH_SPHERICAL_CORNERS]  the first of it, increasing
+ * ret  how many
+ */
+enum { PH_SPHERICAL_CORNERS = 3 };
+size_t ph_spherical_corners(const struct ph_spherical *s,
+                            double at[PH_SPHERICAL_CORNERS]);
+
 #endif

@@ -58,6 +58,64 @@ static bool is_gentle(const struct ph_spherical_net *net,
   return small;
 }
 
+/* The velocity, unrolled into the tangent plane of p[0]: legs as the angles
+ * they are, carried there along the legs before them, are the coefficients of
+ * D = sum_k B_k L_k, B_k of degree 2.  It is S' / 3 itself of points that are
+ * near each other, and up to its sign of all on one great circle. */
+static void unroll(const struct ph_spherical *s,
+                   const struct ph_spherical_net *net, ph_vec3 leg[3]) {
+  for (size_t k = 0; k < 3; k++) {
+    const struct ph_spherical_arc *arc = &net->arc[k];
+    ph_vec3 along = ph_vec3_normal(arc->d, s->p[k]);
+    double size = ph_vec3_abs(along);
+    leg[k] = ph_vec3_scale(size > 0 ? sqrt(arc->square) / size : 0, along);
+    for (size_t j = k; j-- > 0;) {
+      leg[k] = ph_vec3_carried(leg[k], s->p[j + 1], s->p[j]);
+    }
+  }
+}
+
+/*
+ * With b' normal to c, D = v + b' r + c r^2, r = t - t0.  One place where D
+ * nearly vanishes is a corner of |D| that nobody misses; two near each other
+ * are about r = 0, where v is small: at r^2 = -v.c / c.c.
+ */
+static size_t corners_of(const struct ph_spherical *s,
+                         const struct ph_spherical_net *net,
+                         double at[PH_SPHERICAL_CORNERS]) {
+  static const double small = 0x1p-4; /* all within half a segment */
+  static const double end = 1e-6; /* what is shorter has a length of its cube */
+  ph_vec3 leg[3], b, c, v;
+  double square, t, r, place[PH_SPHERICAL_CORNERS];
+  size_t n = 0;
+  unroll(s, net, leg);
+  b = ph_vec3_scale(2, ph_vec3_sub(leg[1], leg[0]));
+  c = ph_vec3_along(ph_vec3_sub(leg[2], leg[1]), -0.5, b);
+  square = ph_vec3_dot(c, c);
+  t = -ph_vec3_dot(b, c) / (2 * square);
+  v = ph_vec3_along(ph_vec3_along(leg[0], t, b), t * t, c);
+  if (!(ph_vec3_dot(v, v) < small * small * square)) {
+    return 0;
+  }
+  r = sqrt(fmax(-ph_vec3_dot(v, c) / square, 0));
+  place[0] = t - r;
+  place[1] = t;
+  place[2] = t + r;
+  for (size_t i = 0; i < PH_SPHERICAL_CORNERS; i++) {
+    if (place[i] > (n > 0 ? at[n - 1] : 0) + end && place[i] < 1 - end) {
+      at[n++] = place[i];
+    }
+  }
+  return n;
+}
+
+size_t ph_spherical_corners(const struct ph_spherical *s,
+                            double at[PH_SPHERICAL_CORNERS]) {
+  struct ph_spherical_net net;
+  ph_spherical_net_of(s, &net);
+  return corners_of(s, &net, at);
+}
+
 static double speed_at(const void *context, double t) {
   return ph_spherical_net_speed(context, t);
 }
@@ -67,7 +125,7 @@ enum ph_status ph_spherical_length(const struct ph_spherical *s,
                                    struct ph_arena *arena, double *length) {
   static const double precision = 1e-13;
   struct ph_spherical_net net;
-  double speed[NODES], c[NODES];
+  double speed[NODES], c[NODES], corner[PH_SPHERICAL_CORNERS];
   enum ph_status status;
   ph_spherical_net_of(s, &net);
   for (size_t i = 0; i < NODES; i++) {
@@ -78,7 +136,8 @@ enum ph_status ph_spherical_length(const struct ph_spherical *s,
   if (is_gentle(&net, c)) {
     return PH_OK;
   }
-  status = ph_primitive_make(table, speed_at, &net, NULL, 0, precision, arena);
+  status = ph_primitive_make(table, speed_at, &net, corner,
+                             corners_of(s, &net, corner), precision, arena);
   *length = table->total;
   return status;
 }

@@ -297,6 +297,29 @@ PH_TEST(test_great_circle) {
   }
 }
 
+/* Forth, back for a short way, and forth: a speed with two corners that nodes
+ * of a rule step over.  The angle is 3 c (t^3/3 - t0 t^2 + (t0^2 - r^2) t). */
+PH_TEST(test_runs_back) {
+  struct unit_random r = unit_random_of(612908);
+  for (int i = 0; i < unit_count(100); i++) {
+    double size = pow(10, unit_random_in(&r, -5, -0.5));
+    double t = unit_random_in(&r, 0.1, 0.9), a[4] = {0}, leg[3];
+    double back = pow(10, unit_random_in(&r, -3, -1.1)), value = t * t;
+    ph_vec3 e = unit_random_direction(&r), f = ph_vec3_any_normal(e);
+    struct ph_spherical s;
+    value -= back * back;
+    leg[0] = value;
+    leg[1] = value - t;
+    leg[2] = value - 2 * t + 1;
+    for (size_t n = 0; n < 4; n++) {
+      a[n] = n > 0 ? a[n - 1] + size * leg[n - 1] : 0;
+      s.p[n] = ph_s2_exp(e, ph_vec3_scale(a[n], f));
+    }
+    ck_rel(unit_spherical_length(&s), a[3] + 8 * size * back * back * back,
+           1e-12 + 1e-14 / size);
+  }
+}
+
 /* A quarter of the parallel of latitude pi/4, in short segments: its geodesic
  * curvature is tan(pi/4) = 1, to the left going east. */
 PH_TEST(test_parallel) {
