@@ -10,6 +10,7 @@
  */
 #include "bench.h"
 
+#include "base/mem.h"
 #include "check/loop.h"
 #include "curve/cross/cross.h"
 #include "curve/offset/loop.h"
@@ -166,6 +167,7 @@ int main(int argc, char **argv) {
   if (argc < 3) {
     bench_die("trim D FILE [POLYGON]");
   }
+  ph_memory_keep();
   gsl_set_error_handler_off();
   points = read_points(argv[2], &n);
   solve(&w, points, n);

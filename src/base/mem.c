@@ -22,6 +22,10 @@
 #include <sys/mman.h>
 #include <time.h>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #ifdef PH_FAULT_INJECTION
 #include <stdatomic.h>
 
@@ -58,6 +62,17 @@ struct ph_chunk {
   size_t used;
   alignas(ALIGNMENT) unsigned char data[];
 };
+
+/* What stays with the process; blocks from 2 MB on never do, which would leave
+ * gaps of their size. */
+enum { KEPT = 32 << 20, APART = 2 << 20 };
+
+void ph_memory_keep(void) {
+#ifdef M_TRIM_THRESHOLD
+  mallopt(M_MMAP_THRESHOLD, APART);
+  mallopt(M_TRIM_THRESHOLD, KEPT);
+#endif
+}
 
 /* Blocks from 8 MB on hold enough whole pages of the usual 2 MB. */
 enum { HUGE_PAGE = 2 << 20, HUGE_BLOCK = 8 << 20 };

@@ -14,6 +14,13 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+/*
+ * ph_memory_keep: from now on memory that is given back stays with the process,
+ * up to 32 MB of it for each thread: the system clears every page that it gives
+ * again, which takes longer than most work on it.  Before any thread exists.
+ */
+void ph_memory_keep(void);
+
 /* ph_malloc, ph_realloc, ph_free: as in libc; size 0 gives a unique pointer. */
 void *ph_malloc(size_t size);
 void *ph_realloc(void *old, size_t size);

@@ -243,15 +243,16 @@ static struct sums sums_of_halves(const struct context *c,
   return sums_by_halves(c, piece, sums_of(c, piece), HALVINGS, &left);
 }
 
-/* By the few nodes, where these give the length that is claimed; else by many,
- * then by as many as it takes. */
+/* By the few nodes, where these give the length that is claimed, and so near
+ * that the areas of all pieces add up, too; else by many, then by as many as it
+ * takes. */
 static struct sums measure(const struct context *c,
                            const struct ph_check_piece *piece,
                            const struct ph_check_spots *at, double claimed) {
   const double most = FINE * c->size;
   struct sums sums = {0, 0};
   add_places(&c->nodes, at, &sums);
-  if (fabs(sums.length - claimed) <= most) {
+  if (fabs(sums.length - claimed) <= RATIO * most) {
     return sums;
   }
   sums = (struct sums){0, 0};

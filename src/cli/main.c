@@ -6,6 +6,7 @@
  * error handler, which aborts, is switched off before any thread exists; cJSON
  * allocates as we do.
  */
+#include "base/mem.h"
 #include "base/suggest.h"
 #include "cli/help.h"
 #include "cli/message.h"
@@ -155,6 +156,7 @@ int main(int argc, char **argv) {
   const char *name = argc > 1 ? argv[1] : NULL;
   const struct ph_command *command;
   ph_output_prepare();
+  ph_memory_keep();
   gsl_set_error_handler_off();
   cJSON_InitHooks(&hooks);
   if (!name) {

@@ -54,7 +54,7 @@ static const double N2[TERMS] = {
 /* Terms that reach full precision up to an angle: the last term is below
  * 1e-17 of the sum. */
 static size_t terms_for(double a) {
-  return a <= 0.25 ? 6 : a <= 1 ? 9 : a <= 2.1 ? 13 : TERMS;
+  return !(a > 0) ? 1 : a <= 0.25 ? 6 : a <= 1 ? 9 : a <= 2.1 ? 13 : TERMS;
 }
 
 static double sinc(double x) {
@@ -69,7 +69,7 @@ struct ph_atph ph_atph_of(double angle) {
     n1 = n1 * x + N1[k];
     n2 = n2 * x + N2[k];
   }
-  c = cos(angle / 2);
+  c = angle > 0 ? cos(angle / 2) : 1;
   space.angle = angle;
   space.c = c;
   space.sinc = sinc(angle / 2);

@@ -2,11 +2,16 @@
 /* Forms in two functions (see form.h). */
 #include "kernel/form.h"
 
+#include <float.h>
 #include <math.h>
 
 /* Halvings until an interval of v says nothing more: its coefficients differ by
  * less than the tolerances in use long before. */
 enum { HALVINGS_MAX = 40 };
+
+/* Steps of a search for a root, of which each at least halves the one before or
+ * the interval. */
+enum { STEPS_MAX = 200 };
 
 void ph_form_multiply(const double *f, size_t f_degree, const double *g,
                       size_t g_degree, double *product) {
@@ -50,6 +55,46 @@ bool ph_form_is_mixed(const double *b, size_t degree) {
     minus = minus || b[k] < 0;
   }
   return plus && minus;
+}
+
+/* The value at v, and the derivative, by the algorithm of de Casteljau. */
+static double value_at(const double *b, size_t degree, double v,
+                       double *slope) {
+  double c[PH_FORM_DEGREE_MAX + 1];
+  for (size_t k = 0; k <= degree; k++) {
+    c[k] = b[k];
+  }
+  for (size_t n = degree; n > 1; n--) {
+    for (size_t k = 0; k < n; k++) {
+      c[k] += v * (c[k + 1] - c[k]);
+    }
+  }
+  *slope = (double)degree * (c[1] - c[0]);
+  return c[0] + v * (c[1] - c[0]);
+}
+
+bool ph_form_root(const double *b, size_t degree, double *root) {
+  double low = 0, high = 1, v = b[0] / (b[0] - b[degree]), move = 1;
+  const bool up = b[0] < 0;
+  size_t changes = 0;
+  for (size_t k = 0; k < degree; k++) {
+    changes += (b[k] < 0) != (b[k + 1] < 0);
+  }
+  if (changes != 1 || !(b[0] * b[degree] < 0)) {
+    return false;
+  }
+  for (int i = 0; i < STEPS_MAX && fabs(move) > DBL_EPSILON; i++) {
+    const double before = fabs(move), value = value_at(b, degree, v, &move);
+    low = (value < 0) == up ? v : low;
+    high = (value < 0) == up ? high : v;
+    move = -value / move;
+    if (!(fabs(move) <= 0.5 * before && v + move > low && v + move < high)) {
+      move = 0.5 * (low + high) - v;
+    }
+    v += move;
+  }
+  *root = v;
+  return true;
 }
 
 /* Whether all coefficients, times the sign, exceed zero. */

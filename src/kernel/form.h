@@ -48,6 +48,16 @@ void ph_form_halve(const double *b, size_t degree, double *left, double *right);
 bool ph_form_is_mixed(const double *b, size_t degree);
 
 /*
+ * ph_form_root: the only root in (0,1), where the signs of coefficients say
+ * that there is one, and the form is 0 at neither end; by Newton's method, kept
+ * between places of both signs.
+ *
+ * in   b[degree + 1]  Bernstein coefficients; degree <= PH_FORM_DEGREE_MAX
+ * ret  false: they do not say so
+ */
+bool ph_form_root(const double *b, size_t degree, double *root);
+
+/*
  * ph_form_sign: the sign of a form on [0,1].
  *
  * in   f[degree + 1]  degree <= PH_FORM_DEGREE_MAX

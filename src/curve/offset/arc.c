@@ -4,15 +4,11 @@
 
 #include "curve/offset/cusp.h"
 #include "curve/segment/seg2.h"
-#include "kernel/form.h"
 
 /* Halvings until an arc turns by little: of what the curve stands still in,
  * none suffice.  More room than for strands, at first; places where a segment
  * is cut. */
 enum { HALVINGS_MAX = 40, ROOM = 64, CUTS_MAX = 16 };
-
-/* Halvings that isolate an inflection. */
-enum { BISECTIONS = 52 };
 
 /* A turn that is less is none. */
 static const double SMOOTH = 1e-6;
@@ -89,6 +85,9 @@ static bool is_tame(const struct walk *walk, double u0, double u1) {
   for (size_t i = 0; i < 3; i++) {
     w[i] = ph_cplx_of(fast->seg.a[i].u, fast->seg.a[i].q);
   }
+  if (!(u0 > 0) && !(u1 < 1)) {
+    return ph_seg2_is_monotone(w);
+  }
   ph_atph_part(&fast->seg.space, w, u0, u1, &part, v);
   return ph_seg2_is_monotone(v);
 }
@@ -124,54 +123,23 @@ static enum ph_status split(struct walk *walk, const struct ph_bit *bit,
 /* ---- where strands are cut ------------------------------------------------
  */
 
-/* Im(conj(w) w') */
-static double bend(const struct ph_fast3 *fast, double u) {
-  const struct ph_fast3_place at = ph_fast3_at(fast, u);
-  const ph_quat a = ph_fast3_preimage(&at), first = ph_fast3_first(&at);
-  return a.u * first.q - a.q * first.u;
-}
-
-/* The zero between two places of a function that changes its sign. */
-static double bisect(const struct ph_fast3 *fast, double low, double high) {
-  const bool up = bend(fast, low) < 0;
-  for (int i = 0; i < BISECTIONS; i++) {
-    const double middle = 0.5 * (low + high);
-    if ((bend(fast, middle) < 0) == up) {
-      low = middle;
-    } else {
-      high = middle;
-    }
-  }
-  return 0.5 * (low + high);
-}
-
-/* Inflections of a segment, at most two: the form of cusp.c (2) in S0 and S1,
- * whose least or greatest value parts them. */
+/* Inflections of a segment, at most two: roots of the form of cusp.c (2) in S0
+ * and S1, b0 + 2 b1 t + b2 t^2 with t = S1 : S0, where it changes its sign. */
 static size_t inflections(const struct ph_fast3 *fast, double u[2]) {
   const ph_quat *a = fast->seg.a;
   const double c = fast->seg.space.c, half = fast->seg.space.angle / 2;
-  const double form[3] = {c * (a[0].u * a[1].q - a[0].q * a[1].u),
-                          a[0].u * a[2].q - a[0].q * a[2].u,
-                          c * (a[1].u * a[2].q - a[1].q * a[2].u)};
-  double b[3], places[3] = {0, 1, 1};
-  size_t parts = 1, n = 0;
-  ph_form_bernstein(form, 2, b);
-  if (!ph_form_is_mixed(b, 2)) {
-    return 0;
-  }
-  if (b[0] * b[2] >= 0) {
-    const double below = b[0] - 2 * b[1] + b[2];
-    const double v = (b[0] - b[1]) / below;
-    if (!(v > 0 && v < 1)) {
-      return 0;
-    }
-    places[1] =
-        half > 0 ? atan2(v * sin(half), 1 - v + v * cos(half)) / half : v;
-    parts = 2;
-  }
-  for (size_t i = 0; i < parts; i++) {
-    if (bend(fast, places[i]) * bend(fast, places[i + 1]) < 0) {
-      u[n++] = bisect(fast, places[i], places[i + 1]);
+  const double b0 = c * (a[0].u * a[1].q - a[0].q * a[1].u);
+  const double b1 = (a[0].u * a[2].q - a[0].q * a[2].u) / 2;
+  const double b2 = c * (a[1].u * a[2].q - a[1].q * a[2].u);
+  const double square = b1 * b1 - b0 * b2;
+  const double sum = -(b1 + copysign(sqrt(fmax(square, 0)), b1));
+  const double root[2] = {sum / b2, b0 / sum};
+  size_t n = 0;
+  for (size_t i = 0; i < 2 && square > 0; i++) {
+    if (root[i] > 0 && root[i] < HUGE_VAL) {
+      const double v = root[i] / (1 + root[i]);
+      u[n++] =
+          half > 0 ? atan2(v * sin(half), 1 - v + v * cos(half)) / half : v;
     }
   }
   return n;

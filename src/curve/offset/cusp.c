@@ -24,6 +24,9 @@
 /* Halvings until v is known to rounding; room at first. */
 enum { DEGREE = PH_CUSP_DEGREE, HALVINGS_MAX = 50, ROOM = 16 };
 
+/* What rounding may add to a bound. */
+static const double ROUNDING = 1e-9;
+
 struct form {
   double b[DEGREE + 1]; /* Bernstein coefficients */
 };
@@ -43,22 +46,52 @@ static int exponent_of(const ph_quat a[3]) {
   return largest > 0 ? ilogb(largest) : 0;
 }
 
-void ph_cusp_forms_of(const struct ph_seg3 *seg, enum ph_normal normal,
-                      struct ph_cusp_forms *forms) {
-  const int exponent = exponent_of(seg->a); /* A at unit scale */
-  const double scale = ldexp(1, -exponent);
+/* sigma and the form in (2), of A that is scaled. */
+static void products_of(const struct ph_seg3 *seg, enum ph_normal normal,
+                        double scale, double speed[5], double cross[3]) {
   const ph_quat a0 = ph_quat_scale(scale, seg->a[0]);
   const ph_quat a2 = ph_quat_scale(scale, seg->a[2]);
   const ph_quat m =
       ph_quat_scale(seg->space.c, ph_quat_scale(scale, seg->a[1]));
-  const double speed[5] = {ph_quat_dot(a0, a0), 4 * ph_quat_dot(a0, m),
-                           4 * ph_quat_dot(m, m) + 2 * ph_quat_dot(a0, a2),
-                           4 * ph_quat_dot(m, a2), ph_quat_dot(a2, a2)};
-  const double cross[3] = {turning(normal, a0, m), turning(normal, a0, a2),
-                           turning(normal, m, a2)};
+  speed[0] = ph_quat_dot(a0, a0);
+  speed[1] = 4 * ph_quat_dot(a0, m);
+  speed[2] = 4 * ph_quat_dot(m, m) + 2 * ph_quat_dot(a0, a2);
+  speed[3] = 4 * ph_quat_dot(m, a2);
+  speed[4] = ph_quat_dot(a2, a2);
+  cross[0] = turning(normal, a0, m);
+  cross[1] = turning(normal, a0, a2);
+  cross[2] = turning(normal, m, a2);
+}
+
+/* Whether g > 0 everywhere, by the quotients of these and of powers of (4): as
+ * these are 1, sigma is no less than the least, W no more than the largest.
+ * Neither is scaled: what leaves the range says nothing wrong. */
+static bool is_forward(const struct ph_seg3 *seg, enum ph_normal normal,
+                       double distance) {
+  const double c = seg->space.c, one[3] = {1, 2 * c, 1};
+  const double square[5] = {1, 4 * c, 2 + 4 * c * c, 4 * c, 1};
+  const double factor = (1 + ROUNDING) * 4 / seg->space.sinc * distance;
+  double speed[5], cross[3], least = HUGE_VAL;
+  bool forward = true;
+  products_of(seg, normal, 1, speed, cross);
+  for (size_t i = 0; i < 5; i++) {
+    const double to = speed[i] / square[i];
+    forward = forward && to > 0;
+    least = to < least ? to : least;
+  }
+  for (size_t i = 0; i < 3; i++) {
+    forward = forward && least * least > factor * cross[i] / one[i];
+  }
+  return forward;
+}
+
+void ph_cusp_forms_of(const struct ph_seg3 *seg, enum ph_normal normal,
+                      struct ph_cusp_forms *forms) {
+  const int exponent = exponent_of(seg->a); /* A at unit scale */
   const double one[3] = {1, 2 * seg->space.c, 1};
   const double factor = 4 / seg->space.sinc;
-  double raised4[5], raised6[7];
+  double speed[5], cross[3], raised4[5], raised6[7];
+  products_of(seg, normal, ldexp(1, -exponent), speed, cross);
   ph_form_multiply(cross, 2, one, 2, raised4);
   ph_form_multiply(raised4, 4, one, 2, raised6);
   ph_form_multiply(raised6, 6, one, 2, forms->bend);
@@ -128,12 +161,16 @@ static void see(struct walk *walk, int sign, double v) {
 static void visit(struct walk *walk, const struct form *form, double v0,
                   double v1, int depth) {
   struct form half[2];
+  double root;
   int sign = 0;
   for (size_t k = 0; k <= DEGREE && sign == 0; k++) {
     sign = sign_of(form->b[k]);
   }
   if (!ph_form_is_mixed(form->b, DEGREE)) {
     see(walk, sign, v0);
+  } else if (ph_form_root(form->b, DEGREE, &root)) {
+    see(walk, sign, v0);
+    see(walk, sign_of(form->b[DEGREE]), v0 + root * (v1 - v0));
   } else if (depth == HALVINGS_MAX) {
     see(walk, sign, v0);
     see(walk, sign_of(form->b[DEGREE]), v1);
@@ -151,12 +188,17 @@ enum ph_status ph_cusps_of(const struct ph_curve *curve, double distance,
   int first = 0;
   for (size_t k = 0; k < curve->n; k++) {
     struct ph_seg3 seg = ph_seg3_of(curve, k);
-    struct form form = form_of(&seg, distance, normal);
-    first = k == 0 ? sign_of(form.b[0]) : first;
     walk.segment = k;
     walk.range = ph_curve_range(curve, k);
     walk.angle = seg.space.angle;
-    visit(&walk, &form, 0, 1, 0);
+    if (is_forward(&seg, normal, distance)) {
+      first = k == 0 ? 1 : first;
+      see(&walk, 1, 0);
+    } else {
+      const struct form form = form_of(&seg, distance, normal);
+      first = k == 0 ? sign_of(form.b[0]) : first;
+      visit(&walk, &form, 0, 1, 0);
+    }
   }
   /* In space the frame comes back turned, and the offset does not close. */
   if (curve->closed && curve->dimension == 2 && first != 0) {

@@ -13,7 +13,7 @@
 #include <string.h>
 
 /* Nodes that integrate A0 exactly of polynomials, to rounding of others. */
-enum { NODES = 5, NODES_ATPH = 12, ROOM = 8 };
+enum { NODES = 5, NODES_ATPH = 12, ROOM = 8, DEGREE_MAX = 5 };
 
 /* Of the size: loops that are no wider. */
 static const double THIN = 1e-9;
@@ -27,14 +27,18 @@ struct writer {
   struct ph_loop *loop;
   size_t room; /* of its pieces, and at least */
   size_t least;
+  double *numbers; /* of pieces to come, so many */
+  size_t numbers_n;
   size_t degree; /* of the curve whose offsets have the degree of the pieces */
   double tolerance;
   const struct ph_span *span;
-  ph_cplx from; /* the first place of the loop, at unit scale */
-  struct ph_strand_eval eval;
+  const struct ph_strand *strand; /* of the span */
+  ph_cplx from;               /* the first place of the loop, at unit scale */
+  struct ph_strand_eval eval; /* of that strand, once it is entered */
   struct ph_quad rule;
-  double area, length; /* of the loop, at unit scale */
-  bool memory;         /* is exhausted */
+  double cross[DEGREE_MAX + 1][DEGREE_MAX + 1]; /* A0 by control points */
+  double area, length;                          /* of the loop, at unit scale */
+  bool memory;                                  /* is exhausted */
 };
 
 /* ---- pieces ---------------------------------------------------------------
@@ -46,29 +50,40 @@ static ph_cplx to_data(const struct ph_strands *strands, ph_cplx at) {
                     strands->center.im + ph_pow2_apply(unit, at.im));
 }
 
+/* So many numbers, of those of a whole block; NULL: memory is exhausted. */
+static double *take(struct writer *w, size_t n) {
+  double *numbers = w->numbers;
+  if (w->numbers_n < n) {
+    w->numbers_n = w->least * n;
+    numbers = ph_arena_array(w->arena, w->numbers_n, sizeof *numbers);
+    w->numbers_n = numbers ? w->numbers_n : 0;
+  }
+  if (numbers) {
+    w->numbers = numbers + n;
+    w->numbers_n -= n;
+  }
+  return numbers;
+}
+
 /* A new piece of the loop; NULL: memory is exhausted. */
 static struct ph_loop_piece *add(struct writer *w) {
   const size_t points = w->offset->degree + 1;
   struct ph_loop *loop = w->loop;
   struct ph_loop_piece *piece;
+  double *numbers = take(w, 3 * points);
   loop->pieces = ph_arena_grow(w->arena, loop->pieces, loop->n,
                                sizeof *loop->pieces, w->least, &w->room);
-  if (!loop->pieces) {
+  if (!loop->pieces || !numbers) {
     w->memory = true;
     return NULL;
   }
   piece = &loop->pieces[loop->n];
-  *piece = (struct ph_loop_piece){
-      .segment = PH_NO_SEGMENT,
-      .interval = {(double)NAN, (double)NAN},
-      .join = PH_NO_SEGMENT,
-      .angle = (double)NAN,
-      .control_points = ph_arena_array(w->arena, points, 2 * sizeof(double)),
-      .weights = ph_arena_array(w->arena, points, sizeof(double))};
-  if (!piece->control_points || !piece->weights) {
-    w->memory = true;
-    return NULL;
-  }
+  *piece = (struct ph_loop_piece){.segment = PH_NO_SEGMENT,
+                                  .interval = {(double)NAN, (double)NAN},
+                                  .join = PH_NO_SEGMENT,
+                                  .angle = (double)NAN,
+                                  .control_points = numbers,
+                                  .weights = numbers + 2 * points};
   loop->n++;
   return piece;
 }
@@ -95,8 +110,10 @@ static double length_between(struct writer *w, double u0, double u1) {
   const double *u = w->span->u;
   double length = w->span->length;
   if (u0 > u[0] || u1 < u[1]) {
-    const struct ph_spot a = ph_strand_spot(&w->eval, u0);
-    const struct ph_spot b = ph_strand_spot(&w->eval, u1);
+    struct ph_spot a, b;
+    ph_strand_enter(&w->eval, w->strands, w->span->strand);
+    a = ph_strand_spot(&w->eval, u0);
+    b = ph_strand_spot(&w->eval, u1);
     length = ph_spot_length(w->strands->distance, &a, &b);
   }
   return ldexp(fabs(length), w->strands->exponent);
@@ -104,7 +121,7 @@ static double length_between(struct writer *w, double u0, double u1) {
 
 static void visit_segment(void *context, const struct ph_rational *rational) {
   struct writer *w = context;
-  const bool back = w->eval.of->at >= w->strands->n;
+  const bool back = w->strand->at >= w->strands->n;
   struct ph_loop_piece *piece = add(w);
   const double d = ldexp(w->strands->distance, w->strands->exponent);
   if (!piece) {
@@ -126,7 +143,7 @@ static void visit_join(void *context, const struct ph_rational *rational) {
   struct writer *w = context;
   struct ph_loop_piece *piece = add(w);
   if (piece) {
-    piece->join = w->eval.of->at;
+    piece->join = w->strand->at;
     piece->angle = w->span->turn;
     piece->length = ldexp(fabs(w->span->length), w->strands->exponent);
     ph_rational_points(rational, PH_E2,
@@ -140,7 +157,7 @@ static void cut_atph(const struct writer *w, size_t k, double from, double to,
                      struct ph_curve *part, double *numbers) {
   const struct ph_seg2 seg = ph_seg2_of(w->curve, k);
   const struct ph_spot *end = w->span->end;
-  const bool back = w->eval.of->at >= w->strands->n;
+  const bool back = w->strand->at >= w->strands->n;
   const ph_cplx a = to_data(w->strands, end[back].r);
   const ph_cplx b = to_data(w->strands, end[!back].r);
   struct ph_atph space;
@@ -168,7 +185,7 @@ static void cut_atph(const struct writer *w, size_t k, double from, double to,
 /* Pieces within the tolerance, of equal weights. */
 static enum ph_status write_atph(struct writer *w, size_t k, double from,
                                  double to, struct ph_diag *diag) {
-  const bool back = w->eval.of->at >= w->strands->n;
+  const bool back = w->strand->at >= w->strands->n;
   const double d = ldexp(w->strands->distance, w->strands->exponent);
   double *error = &w->offset->loops.trimming.approximation;
   double numbers[12 + 6 + 1];
@@ -208,7 +225,7 @@ static void write_line(struct writer *w) {
   const size_t degree = w->offset->degree;
   struct ph_loop_piece *piece = add(w);
   if (piece) {
-    piece->join = w->eval.of->at;
+    piece->join = w->strand->at;
     piece->angle = 0;
     piece->length = ldexp(fabs(w->span->length), w->strands->exponent);
     for (size_t i = 0; i <= degree; i++) {
@@ -229,7 +246,7 @@ static enum ph_status write_span(struct writer *w, struct ph_diag *diag) {
   const size_t n = w->strands->n, first = w->loop->n;
   const bool back = s->kind == PH_STRAND_SEGMENT && s->at >= n;
   enum ph_status status = PH_OK;
-  ph_strand_enter(&w->eval, w->strands, span->strand);
+  w->strand = s;
   if (s->kind == PH_STRAND_LINE) {
     write_line(w);
   } else if (s->kind == PH_STRAND_ROUND) {
@@ -255,27 +272,76 @@ static enum ph_status write_span(struct writer *w, struct ph_diag *diag) {
 /* ---- areas ----------------------------------------------------------------
  */
 
-/* (1) of a span, from a place of the loop: of a small one nothing cancels. */
-static double area_of(struct writer *w) {
-  const struct ph_span *span = w->span;
-  const struct ph_spot *a = &span->end[0], *b = &span->end[1];
-  const double d = w->strands->distance, h = span->u[1] - span->u[0];
-  const ph_cplx r0 = ph_cplx_sub(a->r, w->from);
-  const ph_cplx r1 = ph_cplx_sub(b->r, w->from);
-  const double product =
-      ph_cplx_dot(r1, ph_spot_tangent(b)) - ph_cplx_dot(r0, ph_spot_tangent(a));
-  double area = 0.5 * ph_cplx_cross(r0, r1);
-  if (w->eval.of->kind == PH_STRAND_LINE) {
-    return 0.5 * ph_cplx_cross(ph_cplx_sub(a->o, w->from),
-                               ph_cplx_sub(b->o, w->from));
+/* A0 of the span from its first foot: of a whole polynomial by control points,
+ *
+ *   1/2 sum over i < j of (j - i) binomial(n,i) binomial(n,j)
+ *     / ((2n - 1) binomial(2n - 2, i + j - 1)) p_i x p_j,                 (2)
+ *
+ * as the integral of B_i B_j' - B_j B_i' is that. */
+static void tabulate(struct writer *w, size_t n) {
+  double choose[2 * DEGREE_MAX + 1][2 * DEGREE_MAX + 1] = {{0}};
+  for (size_t i = 0; i <= 2 * n; i++) {
+    choose[i][0] = 1;
+    for (size_t j = 1; j <= i; j++) {
+      choose[i][j] = choose[i - 1][j - 1] + choose[i - 1][j];
+    }
   }
-  for (size_t i = 0; w->eval.of->kind == PH_STRAND_SEGMENT && i < w->rule.n;
-       i++) {
+  for (size_t i = 0; i <= n; i++) {
+    for (size_t j = i + 1; j <= n; j++) {
+      w->cross[i][j] = (double)(j - i) * choose[n][i] * choose[n][j] /
+                       (double)(2 * (2 * n - 1)) / choose[2 * n - 2][i + j - 1];
+    }
+  }
+}
+
+static double area_of_points(const struct writer *w) {
+  const size_t n = w->strands->curve.degree;
+  const double *p = ph_curve_points(&w->strands->curve, w->strand->at);
+  double area = 0;
+  for (size_t i = 1; i < n; i++) {
+    for (size_t j = i + 1; j <= n; j++) {
+      area += w->cross[i][j] * ((p[2 * i] - p[0]) * (p[2 * j + 1] - p[1]) -
+                                (p[2 * i + 1] - p[1]) * (p[2 * j] - p[0]));
+    }
+  }
+  return area;
+}
+
+/* Of a part, or of what is no polynomial, by quadrature. */
+static double area_of_places(struct writer *w) {
+  const struct ph_span *span = w->span;
+  const ph_cplx from = span->end[0].r;
+  const double h = span->u[1] - span->u[0];
+  double area = 0;
+  ph_strand_enter(&w->eval, w->strands, span->strand);
+  for (size_t i = 0; i < w->rule.n; i++) {
     const struct ph_spot at =
         ph_strand_spot(&w->eval, span->u[0] + h * w->rule.node[i]);
     const ph_cplx move = ph_cplx_scale(at.speed, ph_spot_tangent(&at));
     area += 0.5 * h * w->rule.weight[i] *
-            ph_cplx_cross(ph_cplx_sub(at.r, a->r), move);
+            ph_cplx_cross(ph_cplx_sub(at.r, from), move);
+  }
+  return area;
+}
+
+/* (1) of a span, from a place of the loop: of a small one nothing cancels. */
+static double area_of(struct writer *w) {
+  const struct ph_span *span = w->span;
+  const struct ph_spot *a = &span->end[0], *b = &span->end[1];
+  const double d = w->strands->distance;
+  const ph_cplx r0 = ph_cplx_sub(a->r, w->from);
+  const ph_cplx r1 = ph_cplx_sub(b->r, w->from);
+  const double product =
+      ph_cplx_dot(r1, ph_spot_tangent(b)) - ph_cplx_dot(r0, ph_spot_tangent(a));
+  const bool whole = !(span->u[0] > 0) && !(span->u[1] < 1);
+  double area = 0.5 * ph_cplx_cross(r0, r1);
+  if (w->strand->kind == PH_STRAND_LINE) {
+    return 0.5 * ph_cplx_cross(ph_cplx_sub(a->o, w->from),
+                               ph_cplx_sub(b->o, w->from));
+  }
+  if (w->strand->kind == PH_STRAND_SEGMENT) {
+    area += whole && !w->curve->preimage.alpha ? area_of_points(w)
+                                               : area_of_places(w);
   }
   return area - d * (b->s - a->s) + 0.5 * d * d * span->turn +
          0.5 * d * product;
@@ -361,6 +427,7 @@ static enum ph_status write_loops(struct writer *w,
       !ph_quad_gauss(&w->rule, w->curve->preimage.alpha ? NODES_ATPH : NODES)) {
     return ph_fail_memory(diag);
   }
+  tabulate(w, w->curve->degree);
   for (size_t i = 0; status == PH_OK && i < n; i++) {
     w->loop = &loops->v[loops->n];
     status = write_loop(w, &w->outline->chains[i], diag);

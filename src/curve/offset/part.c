@@ -45,7 +45,9 @@ static void add(struct cutter *c, size_t arc, double u0,
                 const struct ph_spot *a, double u1, const struct ph_spot *b,
                 bool cut) {
   struct ph_part *part = &c->parts->v[c->parts->n++];
-  const double turn = ph_spot_turn(a, b);
+  const struct ph_bit *bit = &c->arcs->v[arc].bit;
+  const bool whole = !(u0 > bit->u[0]) && !(u1 < bit->u[1]);
+  const double turn = whole ? bit->turn : ph_spot_turn(a, b);
   *part = (struct ph_part){.arc = arc,
                            .of = {c->arcs->v[arc].strand,
                                   {u0, u1},
