@@ -76,11 +76,13 @@ static double value_at(const double *b, size_t degree, double v,
 bool ph_form_root(const double *b, size_t degree, double *root) {
   double low = 0, high = 1, v = b[0] / (b[0] - b[degree]), move = 1;
   const bool up = b[0] < 0;
+  bool finite = isfinite(b[0]);
   size_t changes = 0;
   for (size_t k = 0; k < degree; k++) {
     changes += (b[k] < 0) != (b[k + 1] < 0);
+    finite = finite && isfinite(b[k + 1]);
   }
-  if (changes != 1 || !(b[0] * b[degree] < 0)) {
+  if (!finite || changes != 1 || !(b[0] * b[degree] < 0)) {
     return false;
   }
   for (int i = 0; i < STEPS_MAX && fabs(move) > DBL_EPSILON; i++) {

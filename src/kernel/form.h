@@ -53,7 +53,7 @@ bool ph_form_is_mixed(const double *b, size_t degree);
  * between places of both signs.
  *
  * in   b[degree + 1]  Bernstein coefficients; degree <= PH_FORM_DEGREE_MAX
- * ret  false: they do not say so
+ * ret  false: they do not say so, or one is not finite
  */
 bool ph_form_root(const double *b, size_t degree, double *root);
 

@@ -181,3 +181,29 @@ PH_TEST(test_ends) {
   ck_assert_int_eq(ph_form_sign(infinite, 2, ZERO), 0);
   ck_assert_int_eq(ph_form_sign(constant, 0, ZERO), -1);
 }
+
+/* One change of sign has a root; none, two, ends at 0, and no numbers do not. */
+PH_TEST(test_root) {
+  const double line[2] = {-1, 3}, triple[4] = {-1, 1, -1, 1};
+  const double cube[4] = {1, 0.5, 0.25, -1}, twice[3] = {1, -1, 1};
+  const double first[3] = {0, -1, 1}, last[3] = {-1, -1, 0};
+  const double none[3] = {1, 2, 1}, constant[1] = {-3};
+  const double nan_end[3] = {-1, 1, (double)NAN};
+  const double nan_inside[3] = {-1, (double)NAN, 1};
+  const double infinite[3] = {-HUGE_VAL, 1, 1}, far_end[2] = {-1e-12, 1};
+  double root = -1;
+  ck_assert(!ph_form_root(twice, 2, &root) && !ph_form_root(none, 2, &root));
+  ck_assert(!ph_form_root(first, 2, &root) && !ph_form_root(last, 2, &root));
+  ck_assert(!ph_form_root(constant, 0, &root));
+  ck_assert(!ph_form_root(triple, 3, &root));
+  ck_assert(!ph_form_root(nan_end, 2, &root));
+  ck_assert(!ph_form_root(nan_inside, 2, &root));
+  ck_assert(!ph_form_root(infinite, 2, &root));
+  ck_abs(root, -1, 0);
+  ck_assert(ph_form_root(line, 1, &root));
+  ck_abs(root, 0.25, 1e-15);
+  ck_assert(ph_form_root(far_end, 1, &root));
+  ck_abs(root, 1e-12, 1e-15);
+  ck_assert(ph_form_root(cube, 3, &root));
+  ck_abs(bernstein_at(cube, 3, root), 0, 1e-14);
+}
