@@ -182,7 +182,7 @@ PH_TEST(test_ends) {
   ck_assert_int_eq(ph_form_sign(constant, 0, ZERO), -1);
 }
 
-/* One change of sign has a root; none, two, ends at 0, and no numbers do not. */
+/* One change of sign has a root; none, two, ends at 0, no numbers have not. */
 PH_TEST(test_root) {
   const double line[2] = {-1, 3}, triple[4] = {-1, 1, -1, 1};
   const double cube[4] = {1, 0.5, 0.25, -1}, twice[3] = {1, -1, 1};
