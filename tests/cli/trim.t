@@ -26,7 +26,7 @@ refused() {
 Try 'phspline tc --help'." ''
 }
 
-refused 'no such mode' "--offset-mode must be raw|joined|trimmed, found 'trim'" \
+refused 'no such mode' "--offset-mode must be raw|joined|trimmed, found 'trim'; did you mean \"trimmed\"?" \
   --offset=1 --offset-mode=trim
 refused 'no such join' "--offset-join must be round, miter or miter:LIMIT with \
 a number of 1 or more, found 'bevel'" --offset=1 --offset-join=bevel
