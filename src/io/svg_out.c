@@ -48,6 +48,11 @@ void ph_svg_path(struct ph_buf *buf, const struct ph_pieces *cubics,
 /* So much of the size of what is drawn is around it. */
 static const double MARGIN = 0.02;
 
+/* How wide lines are, of the same: many programs scale lines with a drawing
+ * whatever it says; and dashes, of this width. */
+static const double STROKE = 0x1p-9;
+enum { DASH = 4 };
+
 void ph_svg_join(double box[4], const double other[4]) {
   for (size_t k = 0; k < 2; k++) {
     box[k] = fmin(box[k], other[k]);
@@ -133,9 +138,12 @@ void ph_svg_header(struct ph_buf *buf, const double box[4]) {
     number(buf, view[k]);
   }
   ph_buf_puts(buf, "\">\n<style>path { fill: none; stroke: black; "
-                   "vector-effect: non-scaling-stroke }\n"
-                   ".offset { stroke: gray }\n"
-                   ".ruling { stroke-dasharray: 6 4 }</style>\n");
+                   "stroke-width: ");
+  number(buf, STROKE * size);
+  ph_buf_puts(buf, " }\n.offset { stroke: gray }\n"
+                   ".ruling { stroke-dasharray: ");
+  number(buf, DASH * STROKE * size);
+  ph_buf_puts(buf, " }</style>\n");
 }
 
 void ph_svg_footer(struct ph_buf *buf) {

@@ -17,9 +17,9 @@ view() {
 feed '{"points":[[0,0],[3,0]],"id":"a"}' planar -f svg
 expect 'a drawing' 0 '' \
   '<svg xmlns="http://www.w3.org/2000/svg" viewBox="-0.06 -0.06 3.12 0.12">
-<style>path { fill: none; stroke: black; vector-effect: non-scaling-stroke }
+<style>path { fill: none; stroke: black; stroke-width: 0.005859375 }
 .offset { stroke: gray }
-.ruling { stroke-dasharray: 6 4 }</style>
+.ruling { stroke-dasharray: 0.0234375 }</style>
 <path id="a" transform="scale(1,-1)" d="M0,0C1,0 2,0 3,0"/>
 </svg>'
 feed '' planar -f svg
