@@ -3,13 +3,10 @@
 #include "check/local.h"
 
 #include "check/checks.h"
-#include "check/dips.h"
 #include "check/kind.h"
 #include "check/spherical.h"
 #include "kernel/pi.h"
 #include "kernel/quat.h"
-
-#include <string.h>
 
 enum { N = PH_CHECK_JET };
 
@@ -98,36 +95,6 @@ static void preimage_at(const struct ph_check_path *path, double u,
   }
 }
 
-/* Coefficients of a preimage are rounded, and so are products of them. */
-static const double PREIMAGE = 8 * DBL_EPSILON;
-
-/* Where control points know a direction to this, nothing else is asked; else
- * what is surer, so that the one is as sure as the other where they meet. */
-static const double WELL = 1e-12;
-
-/* Whether there is a preimage w of a plane curve: r' = w^2 is rounding of the
- * control points where w still has a direction. */
-static bool has_root(const struct ph_check_path *path) {
-  return path->v->curve->dimension == 2 && path->v->curve->preimage.v;
-}
-
-/* r' as a series from that.
- * ret  by how much its direction may be off; not finite: not known */
-static double by_root(const struct ph_check_path *path, double u, ph_vec3 *r) {
-  ph_quat a[N];
-  if (!has_root(path)) {
-    return HUGE_VAL;
-  }
-  preimage_at(path, u, a);
-  for (size_t i = 0; i < N; i++) {
-    r[i] = ph_vec3_of(0, 0, 0);
-    for (size_t j = 0; j <= i; j++) {
-      r[i] = ph_vec3_add(r[i], ph_quat_i(a[j], a[i - j]));
-    }
-  }
-  return 2 * PREIMAGE * sqrt(path->s->speed / ph_quat_dot(a[0], a[0]));
-}
-
 /* e2 or e3 of the frame of the preimage; NaN where there is none. */
 static void frame_normal(const struct ph_check_path *path, double u,
                          ph_vec3 *e) {
@@ -173,10 +140,10 @@ struct motion {
 /* Adds d e; derivatives of e are as uncertain as the direction of r', more so
  * where it changes fast. */
 static void displace(const struct ph_check_path *path, double u,
-                     const ph_vec3 *r, double uncertain, struct motion *m,
+                     const ph_vec3 *r, struct motion *m,
                      struct ph_check_local *local) {
   double d = path->distance, speed = ph_vec3_abs(r[0]), factorial = 1;
-  double error = fabs(d) * (uncertain + PARAMETER);
+  double error = fabs(d) * (m->error[0] / speed + PARAMETER);
   double fast =
       NEXT + 2 * ph_vec3_abs(r[1]) / speed + sqrt(ph_vec3_abs(r[2]) / speed);
   ph_vec3 e[N];
@@ -251,18 +218,8 @@ struct ph_check_local ph_check_form_local(const struct ph_check_path *path,
   local.point = ph_check_point(path->v, s, u);
   local.point_error = s->noise + PARAMETER * s->speed;
   if (fabs(path->distance) > 0) {
-    double uncertain = m.error[0] / ph_vec3_abs(r[0]);
     to_series(r);
-    if (!(uncertain < WELL)) {
-      ph_vec3 square[N];
-      double of_square = by_root(path, u, square);
-      if (of_square < uncertain) {
-        memcpy(r, square, sizeof r);
-        direction = ph_vec3_unit(r[0]);
-        uncertain = of_square;
-      }
-    }
-    displace(path, u, r, uncertain, &m, &local);
+    displace(path, u, r, &m, &local);
   }
   local.speed_error = m.error[0];
   local.along = ph_vec3_dot(m.jet[0], direction);
@@ -351,15 +308,6 @@ static void speed_at(const void *context, double u, double *value) {
   value[1] = local.speed_error;
 }
 
-/* Whether the curve has a direction at u, as far as that is known. */
-static bool has_direction(const struct ph_check_path *path, double u) {
-  struct ph_check_path curve = *path;
-  ph_vec3 square[N];
-  curve.distance = 0;
-  return ph_check_local_at(&curve, u).tangent_error < PH_CHECK_NO_DIRECTION ||
-         by_root(path, u, square) < PH_CHECK_NO_DIRECTION;
-}
-
 /* The integral over [from,to], where there is no cusp.  Where the curve all but
  * stands still at an end, it may turn there by a half. */
 static double between_cusps(const struct ph_check_path *path, double from,
@@ -368,11 +316,15 @@ static double between_cusps(const struct ph_check_path *path, double from,
                                          1,        path->s->noise, LENGTH};
   const double far =
       fabs(path->distance) * (path->v->kind->sphere ? path->s->radius : 1);
+  struct ph_check_path curve = *path;
   double sum[2];
+  curve.distance = 0;
   ph_check_integral(&path->v->rule, &of, from, to, sum);
   *error += isfinite(sum[1]) ? sum[1] : path->v->scale.size;
   for (int end = 0; end < 2; end++) {
-    if (!has_direction(path, end ? to : from)) {
+    const struct ph_check_local local =
+        ph_check_local_at(&curve, end ? to : from);
+    if (!(local.tangent_error < PH_CHECK_NO_DIRECTION)) {
       *error += PH_PI * far;
     }
   }
@@ -396,41 +348,7 @@ static size_t cusp_after(const struct ph_check_path *path, double u) {
   return low;
 }
 
-/* Steps of Newton's method to where |w| is least, and how far they may lead. */
-enum { STEPS = 4 };
-static const double SLOWEST = 1e-4;
-
-struct ph_check_dips ph_check_path_slow(const struct ph_check_path *path) {
-  struct ph_check_dips slow = ph_check_slow_of(path->s);
-  for (size_t i = 0; i < slow.n && has_root(path); i++) {
-    ph_quat a[N];
-    double u = slow.x[i];
-    for (int step = 0; step < STEPS; step++) {
-      preimage_at(path, u, a);
-      u -= ph_quat_dot(a[0], a[1]) / ph_quat_dot(a[1], a[1]);
-    }
-    slow.x[i] = fabs(u - slow.x[i]) < SLOWEST ? u : slow.x[i];
-  }
-  return slow;
-}
-
-/* The integral over [from,to], where there is no cusp, from one place where the
- * curve all but stands still to the next: the offset turns there. */
-static double from_dip_to_dip(const struct ph_check_path *path,
-                              const struct ph_check_dips *slow, double from,
-                              double to, double *error) {
-  double length = 0;
-  for (size_t i = 0; i < slow->n; i++) {
-    if (slow->x[i] > from && slow->x[i] < to) {
-      length += between_cusps(path, from, slow->x[i], error);
-      from = slow->x[i];
-    }
-  }
-  return length + between_cusps(path, from, to, error);
-}
-
-double ph_check_path_length(const struct ph_check_path *path,
-                            const struct ph_check_dips *slow, double from,
+double ph_check_path_length(const struct ph_check_path *path, double from,
                             double to, double *error) {
   const struct ph_cusps *cusps = path->cusps;
   double length = 0;
@@ -443,9 +361,9 @@ double ph_check_path_length(const struct ph_check_path *path,
        i++) {
     double u = cusps->at[i].t / path->s->unit;
     if (u > from) { /* in order, as they should be */
-      length += from_dip_to_dip(path, slow, from, u, error);
+      length += between_cusps(path, from, u, error);
       from = u;
     }
   }
-  return length + from_dip_to_dip(path, slow, from, to, error);
+  return length + between_cusps(path, from, to, error);
 }
