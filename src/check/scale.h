@@ -6,18 +6,12 @@
 #ifndef PH_CHECK_SCALE_H
 #define PH_CHECK_SCALE_H
 
+#include "base/inline.h"
 #include "kernel/pow2.h"
 
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
-
-/* Of functions whose dimension and degree are known where they are called. */
-#ifdef __GNUC__
-#define PH_CHECK_INLINE static inline __attribute__((always_inline))
-#else
-#define PH_CHECK_INLINE static inline
-#endif
 
 /* Allowance for a first difference of control points times 5, in units of the
  * rounding of a coordinate, with a margin of 3. */

@@ -126,9 +126,8 @@ static inline double farthest(double so_far, ph_vec3 a, bool plane) {
 }
 
 /* The forms (1). */
-PH_CHECK_INLINE void load_form(const struct ph_check *v,
-                               struct ph_check_segment *s, size_t m,
-                               bool plane) {
+PH_INLINE void load_form(const struct ph_check *v, struct ph_check_segment *s,
+                         size_t m, bool plane) {
   const struct ph_check_space *space = v->space;
   const double *p = ph_curve_points(v->curve, s->k);
   ph_vec3 at = flat(ph_check_vector(v, p, plane ? 2 : 3), plane);
@@ -227,8 +226,8 @@ static void series_jet(const struct ph_check_segment *s, double u, ph_vec3 *jet,
 
 /* A step of the same for polynomials, of which S0 and S1 have two terms: terms
  * of p S1 and, with it, jet S0 + p h. */
-PH_CHECK_INLINE void step(size_t n, double u, double *p, ph_vec3 *jet,
-                          ph_vec3 h, bool plane) {
+PH_INLINE void step(size_t n, double u, double *p, ph_vec3 *jet, ph_vec3 h,
+                    bool plane) {
   for (size_t i = n - 1; i > 0; i--) {
     p[i] = u * p[i] + p[i - 1];
     jet[i] = ph_vec3_sub(ph_vec3_scale(1 - u, jet[i]), jet[i - 1]);
@@ -239,8 +238,8 @@ PH_CHECK_INLINE void step(size_t n, double u, double *p, ph_vec3 *jet,
   jet[0] = flat(jet[0], plane);
 }
 
-PH_CHECK_INLINE void polynomial_jet(const struct ph_check_segment *s, double u,
-                                    ph_vec3 *out, size_t n, bool plane) {
+PH_INLINE void polynomial_jet(const struct ph_check_segment *s, double u,
+                              ph_vec3 *out, size_t n, bool plane) {
   double p[PH_CHECK_JET] = {1, 0, 0, 0};
   ph_vec3 jet[PH_CHECK_JET] = {{0, 0, 0}};
   jet[0] = flat(s->h[0], plane);
@@ -252,8 +251,8 @@ PH_CHECK_INLINE void polynomial_jet(const struct ph_check_segment *s, double u,
   }
 }
 
-PH_CHECK_INLINE void polynomial(const struct ph_check_segment *s, double u,
-                                ph_vec3 *jet, size_t n, bool plane) {
+PH_INLINE void polynomial(const struct ph_check_segment *s, double u,
+                          ph_vec3 *jet, size_t n, bool plane) {
   switch (n) {
   case 1:
     polynomial_jet(s, u, jet, 1, plane);

@@ -141,10 +141,9 @@ static inline double norm2(ph_vec3 a, bool plane) {
  *
  * out  miss  the largest |r' - A i A*|
  * ret  the integral of |r'| */
-PH_CHECK_INLINE double at_nodes(const struct ph_check *v,
-                                const struct ph_check_segment *s,
-                                const ph_quat *a, size_t m, bool plane,
-                                double *miss) {
+PH_INLINE double at_nodes(const struct ph_check *v,
+                          const struct ph_check_segment *s, const ph_quat *a,
+                          size_t m, bool plane, double *miss) {
   const struct ph_check_space *space = v->space;
   double length = 0, worst = 0;
   for (size_t i = 0; i < v->fixed.n; i++) {

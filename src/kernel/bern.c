@@ -2,6 +2,8 @@
 /* De Casteljau's recurrences (see bern.h). */
 #include "kernel/bern.h"
 
+#include "base/inline.h"
+
 #include <stdbool.h>
 #include <string.h>
 
@@ -63,28 +65,26 @@ double ph_bern_elevate(size_t degree, size_t from, size_t higher, size_t to) {
 /* The two parts of a complex number, at once where the compiler can. */
 #if defined(__GNUC__)
 typedef double both __attribute__((vector_size(2 * sizeof(double))));
-#define INLINE static inline __attribute__((always_inline))
 
-INLINE both between(both a, both b, double u) {
+PH_INLINE both between(both a, both b, double u) {
   return (1 - u) * a + u * b;
 }
 
-INLINE both twice(both a, both b) {
+PH_INLINE both twice(both a, both b) {
   return a + b;
 }
 
-INLINE both scale(double factor, both a) {
+PH_INLINE both scale(double factor, both a) {
   return factor * a;
 }
 #else
 typedef ph_cplx both;
-#define INLINE static inline
 #define between ph_cplx_between
 #define twice ph_cplx_add
 #define scale ph_cplx_scale
 #endif
 
-INLINE both load(const ph_cplx *c) {
+PH_INLINE both load(const ph_cplx *c) {
   both x;
   memcpy(&x, c, sizeof x);
   return x;
@@ -94,12 +94,12 @@ INLINE both load(const ph_cplx *c) {
 enum { AT_ONCE = 4 };
 
 /* a and b at u; twice that in the middle, where powers of two wait. */
-INLINE both step_of(bool half, both a, both b, double u) {
+PH_INLINE both step_of(bool half, both a, both b, double u) {
   return half ? twice(a, b) : between(a, b, u);
 }
 
 /* c[0..n] to c[0..n-4] from the last values before each step, x[3] to x[0]. */
-INLINE void go_on(bool half, ph_cplx *c, size_t n, double u, const both *x) {
+PH_INLINE void go_on(bool half, ph_cplx *c, size_t n, double u, const both *x) {
   both x0 = x[3], x1 = x[2], x2 = x[1], x3 = x[0];
   if (half) {
     x1 = scale(2, x1);

@@ -17,20 +17,15 @@
  * functions f_n of s2.h, and f_{-1}(X) = f_0 - X f_1 = cos sqrt(X),
  *   A = f_{-1}(Y) / f_{-1}(Q),   B = sigma f_0(Y) / f_0(Q),             (3)
  *   E = Q f_0(Q)^2,   dE/dQ = f_{-1}(Q) f_0(Q),   f_n' = -f_{n+1} / 2.  (4)
- * Derivatives with respect to t follow the rules of products and chains.
+ * Derivatives with respect to t follow the rules of products and chains.  What
+ * depends on their order is written once, and compiled for every order that is
+ * used (PH_INLINE).
  */
 #include "curve/segment/spherical.h"
 
+#include "base/inline.h"
 #include "curve/segment/spherical_net.h"
 #include "kernel/s2.h"
-
-/* What depends on the order of derivatives is written once, and compiled for
- * every order that is used. */
-#if defined(__GNUC__)
-#define INLINE static inline __attribute__((always_inline))
-#else
-#define INLINE static inline
-#endif
 
 /* Derivatives of order 0, ..., order of a number, of a point (for the point
  * itself, its displacement); the others are undefined. */
@@ -64,8 +59,8 @@ struct weights {
 /* -------------------------------------------------------------------------- */
 
 /* c + p e */
-INLINE struct scalar along(const struct scalar *c, const struct scalar *p,
-                           const struct scalar *e, int order) {
+PH_INLINE struct scalar along(const struct scalar *c, const struct scalar *p,
+                              const struct scalar *e, int order) {
   struct scalar q;
   const double *u = p->v, *w = e->v;
   q.v[0] = c->v[0] + u[0] * w[0];
@@ -81,7 +76,8 @@ INLINE struct scalar along(const struct scalar *c, const struct scalar *p,
 }
 
 /* f_n(x), where f[0], ..., f[3] are f_n, ..., f_{n+3} there. */
-INLINE struct scalar chain(const double *f, const struct scalar *x, int order) {
+PH_INLINE struct scalar chain(const double *f, const struct scalar *x,
+                              int order) {
   const double *u = x->v;
   double f1 = -f[1] / 2;
   struct scalar s;
@@ -97,8 +93,8 @@ INLINE struct scalar chain(const double *f, const struct scalar *x, int order) {
   return s;
 }
 
-INLINE struct scalar quotient(const struct scalar *a, const struct scalar *b,
-                              int order) {
+PH_INLINE struct scalar quotient(const struct scalar *a, const struct scalar *b,
+                                 int order) {
   const double *u = a->v, *w = b->v;
   double inverse = 1 / w[0];
   double q0 = u[0] * inverse;
@@ -115,8 +111,8 @@ INLINE struct scalar quotient(const struct scalar *a, const struct scalar *b,
 }
 
 /* sigma x, sigma' = 2 */
-INLINE struct scalar times_sigma(double sigma, const struct scalar *x,
-                                 int order) {
+PH_INLINE struct scalar times_sigma(double sigma, const struct scalar *x,
+                                    int order) {
   struct scalar s;
   s.v[0] = sigma * x->v[0];
   if (order >= 1) {
@@ -134,7 +130,8 @@ INLINE struct scalar times_sigma(double sigma, const struct scalar *x,
 /* -------------------------------------------------------------------------- */
 
 /* The coefficients of (2): b_k is b_{k-1} times a quadratic polynomial. */
-INLINE void basis_of(double t, size_t terms, int order, struct basis *basis) {
+PH_INLINE void basis_of(double t, size_t terms, int order,
+                        struct basis *basis) {
   double sigma = 2 * t - 1, square = sigma * sigma;
   const struct scalar none = {{0, 0, 0, 0}};
   struct scalar last = {{1, 0, 0, 0}};
@@ -157,8 +154,8 @@ INLINE void basis_of(double t, size_t terms, int order, struct basis *basis) {
 }
 
 /* By (2), from E. */
-INLINE struct weights near_weights(const struct basis *basis,
-                                   const struct scalar *e, int order) {
+PH_INLINE struct weights near_weights(const struct basis *basis,
+                                      const struct scalar *e, int order) {
   const struct scalar none = {{0, 0, 0, 0}};
   size_t k = basis->terms - 1;
   struct scalar a = basis->a[k], b = basis->b[k];
@@ -174,14 +171,14 @@ INLINE struct weights near_weights(const struct basis *basis,
 }
 
 /* f_{-1}, f_0, ..., f_3 */
-INLINE void bessel(double x, double f[5]) {
+PH_INLINE void bessel(double x, double f[5]) {
   ph_s2_bessel(x, f + 1);
   f[0] = f[1] - x * f[2];
 }
 
 /* Q, from E, by (4); f: f_{-1}(Q), ..., f_3(Q). */
-INLINE struct scalar angle(const double f[5], double value,
-                           const struct scalar *e, int order) {
+PH_INLINE struct scalar angle(const double f[5], double value,
+                              const struct scalar *e, int order) {
   double p = 1 / (f[0] * f[1]);
   struct scalar q;
   q.v[0] = value;
@@ -200,8 +197,8 @@ INLINE struct scalar angle(const double f[5], double value,
 }
 
 /* By (3), from E and m. */
-INLINE struct weights far_weights(double sigma, const struct scalar *e,
-                                  ph_vec3 m, int order) {
+PH_INLINE struct weights far_weights(double sigma, const struct scalar *e,
+                                     ph_vec3 m, int order) {
   double size = ph_vec3_abs(m), phi = atan2(sqrt(e->v[0]), size);
   double f[5], g[5];
   struct scalar q, y, c, r;
@@ -227,17 +224,17 @@ INLINE struct weights far_weights(double sigma, const struct scalar *e,
 /* The steps                                                                  */
 /* -------------------------------------------------------------------------- */
 
-INLINE ph_vec3 half_sum(ph_vec3 u, ph_vec3 w) {
+PH_INLINE ph_vec3 half_sum(ph_vec3 u, ph_vec3 w) {
   return ph_vec3_scale(0.5, ph_vec3_add(u, w));
 }
 
-INLINE ph_vec3 half_difference(ph_vec3 u, ph_vec3 w) {
+PH_INLINE ph_vec3 half_difference(ph_vec3 u, ph_vec3 w) {
   return ph_vec3_scale(0.5, ph_vec3_sub(w, u));
 }
 
 /* (1) between fixed points: Z'' = -theta^2 Z. */
-INLINE void arc_step(const struct ph_spherical_arc *arc,
-                     const struct basis *basis, int order, struct jet *z) {
+PH_INLINE void arc_step(const struct ph_spherical_arc *arc,
+                        const struct basis *basis, int order, struct jet *z) {
   double a, b; /* A - 1 and B */
   if (basis->terms > 0) {
     struct scalar e = {{arc->e, 0, 0, 0}};
@@ -263,8 +260,8 @@ INLINE void arc_step(const struct ph_spherical_arc *arc,
 }
 
 /* sum_i binomial(n, i) x_{n-i} v_i, with v for v_0 */
-INLINE ph_vec3 product(const struct scalar *x, ph_vec3 v, const struct jet *jet,
-                       int n) {
+PH_INLINE ph_vec3 product(const struct scalar *x, ph_vec3 v,
+                          const struct jet *jet, int n) {
   ph_vec3 sum = ph_vec3_scale(x->v[n], v);
   if (n >= 2) {
     sum = ph_vec3_along(sum, n * x->v[n - 1], jet->d[1]);
@@ -276,8 +273,8 @@ INLINE ph_vec3 product(const struct scalar *x, ph_vec3 v, const struct jet *jet,
 }
 
 /* Half the sum and half the difference. */
-INLINE void split(const struct jet *u, const struct jet *w, int order,
-                  struct jet *mu, struct jet *d) {
+PH_INLINE void split(const struct jet *u, const struct jet *w, int order,
+                     struct jet *mu, struct jet *d) {
   for (int n = 0; n <= order; n++) {
     mu->d[n] = half_sum(u->d[n], w->d[n]);
     d->d[n] = half_difference(u->d[n], w->d[n]);
@@ -285,8 +282,9 @@ INLINE void split(const struct jet *u, const struct jet *w, int order,
 }
 
 /* (1) between moving points. */
-INLINE void step(ph_vec3 base, const struct basis *basis, const struct jet *u,
-                 const struct jet *w, int order, struct jet *z) {
+PH_INLINE void step(ph_vec3 base, const struct basis *basis,
+                    const struct jet *u, const struct jet *w, int order,
+                    struct jet *z) {
   struct jet mu, d;
   struct scalar e;
   struct weights k;
@@ -320,7 +318,7 @@ INLINE void step(ph_vec3 base, const struct basis *basis, const struct jet *u,
 /* theta^2 and theta / tan phi, by series: with phi = asin sqrt(E),
  *   dQ/dE = phi / (sin(phi) cos(phi)) = sum_k h_k E^k,
  *   h_k = h_{k-1} 2 k / (2 k + 1). */
-INLINE void near_arc(struct ph_spherical_arc *arc, size_t terms) {
+PH_INLINE void near_arc(struct ph_spherical_arc *arc, size_t terms) {
   static const double h[TERMS] = {1.0,
                                   2.0 / 3,
                                   8.0 / 15,
@@ -353,7 +351,7 @@ INLINE void near_arc(struct ph_spherical_arc *arc, size_t terms) {
   arc->b = 2 * (1 - arc->e) * sum;
 }
 
-INLINE void far_arc(struct ph_spherical_arc *arc) {
+PH_INLINE void far_arc(struct ph_spherical_arc *arc) {
   double c = ph_vec3_abs(arc->m), phi = atan2(sqrt(arc->e), c), f[4];
   arc->q = phi * phi;
   ph_s2_bessel(arc->q, f);
@@ -365,7 +363,7 @@ INLINE void far_arc(struct ph_spherical_arc *arc) {
 }
 
 /* Terms of (2) for all E <= e. */
-INLINE size_t terms_for(double e) {
+PH_INLINE size_t terms_for(double e) {
   return e < 0x1p-17 ? 5 : e < 0x1p-11 ? 7 : e < NEAR ? TERMS : 0;
 }
 
@@ -413,8 +411,8 @@ static void legs_net(const struct ph_spherical_legs *s,
 }
 
 /* The curve and its derivatives at t, by three steps, two, and one. */
-INLINE void net_jet(const struct ph_spherical_net *net, double t, int order,
-                    struct jet *z) {
+PH_INLINE void net_jet(const struct ph_spherical_net *net, double t, int order,
+                       struct jet *z) {
   struct basis basis;
   struct jet a, b, c;
   basis_of(t, net->terms, order, &basis);

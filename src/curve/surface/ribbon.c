@@ -3,17 +3,12 @@
  * are of Taylor coefficients. */
 #include "curve/surface/ribbon.h"
 
+#include "base/inline.h"
 #include "kernel/bern.h"
 
 #include <string.h>
 
 enum { CONTACT_MAX = 2 * PH_RIBBON_ORDER + 1, SERIES = PH_RIBBON_HEIGHT_ROWS };
-
-#ifdef __GNUC__
-#define ALWAYS static inline __attribute__((always_inline))
-#else
-#define ALWAYS static inline
-#endif
 
 /* ---- from points to ribbons ---------------------------------------------- */
 
@@ -133,7 +128,7 @@ struct series {
   double gn[PH_CROSS_MAX], ge[PH_CROSS_MAX];
 };
 
-ALWAYS double sum(const double *row, const double *c, size_t n) {
+PH_INLINE double sum(const double *row, const double *c, size_t n) {
   double x = 0;
   for (size_t i = 0; i < n; i++) {
     x += row[i] * c[i];
@@ -141,19 +136,19 @@ ALWAYS double sum(const double *row, const double *c, size_t n) {
   return x;
 }
 
-ALWAYS ph_vec3 between(const ph_vec3 *ends, double s) {
+PH_INLINE ph_vec3 between(const ph_vec3 *ends, double s) {
   return ph_vec3_of((1 - s) * ends[0].x + s * ends[1].x,
                     (1 - s) * ends[0].y + s * ends[1].y,
                     (1 - s) * ends[0].z + s * ends[1].z);
 }
 
 /* The linear series of what is between two ends. */
-ALWAYS void linear(const ph_vec3 *ends, double s, ph_vec3 *x) {
+PH_INLINE void linear(const ph_vec3 *ends, double s, ph_vec3 *x) {
   x[0] = between(ends, s);
   x[1] = ph_vec3_sub(ends[1], ends[0]);
 }
 
-ALWAYS double dot(const ph_vec3 *a, const ph_vec3 *b, size_t k) {
+PH_INLINE double dot(const ph_vec3 *a, const ph_vec3 *b, size_t k) {
   double x = 0;
   for (size_t i = 0; i <= k; i++) {
     x += ph_vec3_dot(a[i], b[k - i]);
@@ -162,11 +157,11 @@ ALWAYS double dot(const ph_vec3 *a, const ph_vec3 *b, size_t k) {
 }
 
 /* ... where b is linear. */
-ALWAYS double dot_linear(const ph_vec3 *a, const ph_vec3 *b, size_t k) {
+PH_INLINE double dot_linear(const ph_vec3 *a, const ph_vec3 *b, size_t k) {
   return ph_vec3_dot(a[k], b[0]) + (k ? ph_vec3_dot(a[k - 1], b[1]) : 0);
 }
 
-ALWAYS double product(const double *a, const double *b, size_t k) {
+PH_INLINE double product(const double *a, const double *b, size_t k) {
   double x = 0;
   for (size_t i = 0; i <= k; i++) {
     x += a[i] * b[k - i];
@@ -176,8 +171,8 @@ ALWAYS double product(const double *a, const double *b, size_t k) {
 
 /* Coefficient k of the quotient x of two series: that of the numerator is
  * `top'; x[0] to x[k - 1] are known. */
-ALWAYS double quotient(double top, const double *x, const double *below,
-                       size_t k) {
+PH_INLINE double quotient(double top, const double *x, const double *below,
+                          size_t k) {
   for (size_t i = 0; i < k; i++) {
     top -= x[i] * below[k - i];
   }
@@ -185,9 +180,9 @@ ALWAYS double quotient(double top, const double *x, const double *below,
 }
 
 /* The gradient along the ribbon, to the order m. */
-ALWAYS void set_gradient(const struct ph_side *side, size_t continuity,
-                         const struct ph_ribbon_rows *rows, size_t m,
-                         struct series *x) {
+PH_INLINE void set_gradient(const struct ph_side *side, size_t continuity,
+                            const struct ph_ribbon_rows *rows, size_t m,
+                            struct series *x) {
   const size_t height = ph_ribbon_height_degree(continuity) + 1;
   const size_t gradient = ph_ribbon_gradient_degree(continuity) + 1;
   const ph_vec3 edge = ph_vec3_sub(side->p[1], side->p[0]);
@@ -218,9 +213,10 @@ ALWAYS void set_gradient(const struct ph_side *side, size_t continuity,
 
 /* b^T H b along the ribbon, with the H of (6.19): with r = g' - H^ q it is
  *   b^T H^ b + 2 (r.b) (q.b) / q.q - (q.r) ((q.b) / q.q)^2. */
-ALWAYS void set_form(const struct ph_side *side,
-                     const struct ph_ribbon_rows *rows, size_t order,
-                     const struct series *x, const ph_vec3 *b, double *form) {
+PH_INLINE void set_form(const struct ph_side *side,
+                        const struct ph_ribbon_rows *rows, size_t order,
+                        const struct series *x, const ph_vec3 *b,
+                        double *form) {
   struct ph_sym3 H[PH_CROSS_MAX];
   ph_vec3 r[PH_CROSS_MAX], Hb[PH_CROSS_MAX];
   double qq[PH_CROSS_MAX], qr[PH_CROSS_MAX], rb[PH_CROSS_MAX];
@@ -252,7 +248,7 @@ ALWAYS void set_form(const struct ph_side *side,
 }
 
 /* How far b_w turns the tangent plane. */
-ALWAYS void set_plane(const struct series *x, struct ph_cross *cross) {
+PH_INLINE void set_plane(const struct series *x, struct ph_cross *cross) {
   const double g = ph_vec3_abs(x->g[0]);
   const ph_vec3 b = ph_vec3_along(
       ph_vec3_along(x->d[0], cross->h[1][0], x->n[0]), cross->h[0][0], x->e[0]);
@@ -262,9 +258,9 @@ ALWAYS void set_plane(const struct series *x, struct ph_cross *cross) {
   cross->tilt = fabs(x->gn[0]) / g / cross->across;
 }
 
-ALWAYS void evaluate(const struct ph_side *side, size_t continuity,
-                     const struct ph_ribbon_rows *rows, size_t order,
-                     struct ph_cross *cross) {
+PH_INLINE void evaluate(const struct ph_side *side, size_t continuity,
+                        const struct ph_ribbon_rows *rows, size_t order,
+                        struct ph_cross *cross) {
   const size_t m = order + continuity - 1;
   struct series x;
   ph_vec3 b[PH_CROSS_MAX];

@@ -6,16 +6,13 @@
  * are taken backwards: at a node, by what they are made of; summed up over the
  * nodes, by the coefficients of the polynomials; then by the preimage, and then
  * by the variables.  The name of the derivative by `x` is `x_`.
+ *
+ * The loops over nodes are compiled for each functional (PH_INLINE): gcc takes
+ * two nodes at once then.
  */
 #include "solve/spatial/spatial.h"
 
-/* What is inlined into the loops over nodes, for each functional: gcc takes two
- * nodes at once then. */
-#if defined(__GNUC__)
-#define INLINE static inline __attribute__((always_inline))
-#else
-#define INLINE static inline
-#endif
+#include "base/inline.h"
 
 enum { NODES = PH_SPATIAL_FAIR_NODES };
 
@@ -56,15 +53,15 @@ static void set_form(struct form *f, double c, const ph_quat a[3]) {
   f->q[1] = 2 * (1 - c);
 }
 
-INLINE double at(const double c[3], double y) {
+PH_INLINE double at(const double c[3], double y) {
   return c[0] + y * (c[1] + y * c[2]);
 }
 
-INLINE double slope_at(const double c[3], double y) {
+PH_INLINE double slope_at(const double c[3], double y) {
   return c[1] + 2 * y * c[2];
 }
 
-INLINE struct node node_at(const struct form *f, double y) {
+PH_INLINE struct node node_at(const struct form *f, double y) {
   const double *s = f->sigma;
   struct node n;
   n.sigma = s[0] + y * (s[1] + y * (s[2] + y * (s[3] + y * s[4])));
@@ -83,7 +80,7 @@ INLINE struct node node_at(const struct form *f, double y) {
 }
 
 /* (4), F1. */
-INLINE double bending(const struct node *n, struct node *by) {
+PH_INLINE double bending(const struct node *n, struct node *by) {
   double r = n->q / n->sigma, r3 = 4 * r * r * r;
   double value = r3 * (n->re * n->re + n->im * n->im);
   if (by) {
@@ -100,7 +97,7 @@ struct shared {
   double z2, per_z2, per_sigma, per_q, q9, dz, ds, dq;
 };
 
-INLINE struct shared shared_of(const struct node *n) {
+PH_INLINE struct shared shared_of(const struct node *n) {
   struct shared s;
   double q3 = n->q * n->q * n->q, per;
   s.q9 = q3 * q3 * q3;
@@ -116,8 +113,8 @@ INLINE struct shared shared_of(const struct node *n) {
 }
 
 /* Passes on derivatives by dz, ds, dq and z2 to what these are made of. */
-INLINE void pass_on(const struct node *n, const struct shared *s, double dz_,
-                    double ds_, double dq_, double z2_, struct node *by) {
+PH_INLINE void pass_on(const struct node *n, const struct shared *s, double dz_,
+                       double ds_, double dq_, double z2_, struct node *by) {
   double p_ = dz_ * s->per_z2;
   z2_ -= s->dz * p_;
   by->re += 2 * n->re * z2_ + n->re1 * p_;
@@ -131,7 +128,7 @@ INLINE void pass_on(const struct node *n, const struct shared *s, double dz_,
 }
 
 /* (5) */
-INLINE double varying(const struct node *n, struct node *by) {
+PH_INLINE double varying(const struct node *n, struct node *by) {
   struct shared s = shared_of(n);
   double per2 = s.per_sigma * s.per_sigma;
   double factor = 4 * s.q9 * per2 * per2 * s.per_sigma;
@@ -146,7 +143,7 @@ INLINE double varying(const struct node *n, struct node *by) {
 }
 
 /* (6); adds to `by`. */
-INLINE double twisting(const struct node *n, struct node *by) {
+PH_INLINE double twisting(const struct node *n, struct node *by) {
   struct shared s = shared_of(n);
   double factor = s.q9 * s.per_sigma * s.per_sigma * s.per_sigma;
   double turn = n->nu * s.per_z2, twist = 2 * n->x * s.per_sigma;
@@ -170,7 +167,8 @@ INLINE double twisting(const struct node *n, struct node *by) {
   return value;
 }
 
-INLINE double integrand(int functional, const struct node *n, struct node *by) {
+PH_INLINE double integrand(int functional, const struct node *n,
+                           struct node *by) {
   double value;
   if (functional == 1) {
     return bending(n, by);
@@ -204,9 +202,9 @@ static struct panel panel_of(const struct ph_quad *rule, size_t k,
 
 /* All nodes by the same instructions, so that the compiler takes two at once.
  */
-INLINE void add_values(int functional, const struct form *restrict f,
-                       const struct panel *restrict on,
-                       double *restrict value) {
+PH_INLINE void add_values(int functional, const struct form *restrict f,
+                          const struct panel *restrict on,
+                          double *restrict value) {
   for (size_t i = 0; i < NODES; i++) {
     struct node n = node_at(f, on->y[i]);
     value[i] += on->weight[i] * integrand(functional, &n, NULL);
@@ -214,16 +212,16 @@ INLINE void add_values(int functional, const struct form *restrict f,
 }
 
 /* Adds the derivatives by a polynomial from those by its value and slope. */
-INLINE void add(double (*restrict c_)[NODES], size_t i, double y, double value_,
-                double slope_) {
+PH_INLINE void add(double (*restrict c_)[NODES], size_t i, double y,
+                   double value_, double slope_) {
   c_[0][i] += value_;
   c_[1][i] += y * value_ + slope_;
   c_[2][i] += y * (y * value_ + 2 * slope_);
 }
 
-INLINE void add_derivatives(int functional, const struct form *restrict f,
-                            const struct panel *restrict on,
-                            struct sums *restrict to) {
+PH_INLINE void add_derivatives(int functional, const struct form *restrict f,
+                               const struct panel *restrict on,
+                               struct sums *restrict to) {
   for (size_t i = 0; i < NODES; i++) {
     double y = on->y[i], weight = on->weight[i], y2 = y * y, value_, slope_;
     struct node n = node_at(f, y), by = {0};
