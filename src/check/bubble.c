@@ -65,7 +65,8 @@ static const char *fault_of(const struct ph_patch *p, bool exact,
   return fault_of_vertices(p, member);
 }
 
-bool ph_check_patch_exact(const struct ph_curve *c) {
+/* Whether no patch has control points: they are quotients (bubble_exact.h). */
+static bool is_exact(const struct ph_curve *c) {
   for (size_t i = 0; i < c->n; i++) {
     const struct ph_patch *p = &c->surface.patches[i];
     if (p->points_n || p->bidegree[0] != PH_NO_SEGMENT) {
@@ -75,8 +76,9 @@ bool ph_check_patch_exact(const struct ph_curve *c) {
   return true;
 }
 
-bool ph_check_patch_arrays(struct ph_check *v, const struct ph_curve *c) {
-  const bool exact = ph_check_patch_exact(c);
+/* Whether patches are such, with finite numbers. */
+static bool are_arrays(struct ph_check *v, const struct ph_curve *c) {
+  const bool exact = is_exact(c);
   for (size_t i = 0; i < c->n; i++) {
     const char *member;
     const char *fault = fault_of(&c->surface.patches[i], exact, &member);
@@ -258,7 +260,9 @@ static void check_subdivided(struct ph_check_patchwork *w,
   }
 }
 
-void ph_check_patch_corners(struct ph_check_patchwork *w) {
+/* interpolation_error, and with normals of the problem the angles of these to
+ * the tangent planes. */
+static void check_corners(struct ph_check_patchwork *w) {
   const struct ph_problem *problem = w->v->problem;
   const struct ph_value *points = &problem->field[PH_F_POINTS];
   const struct ph_value *normals = &problem->field[PH_F_NORMALS];
@@ -320,10 +324,10 @@ static void set_allowed(struct ph_check_patchwork *w) {
  * ret  whether what was found says something */
 static bool look(struct ph_check_patchwork *w, enum ph_status *status) {
   struct ph_check *v = w->v;
-  bool good = ph_check_patch_arrays(v, v->curve);
+  bool good = are_arrays(v, v->curve);
   w->jump_allowed = w->bend_allowed = HUGE_VAL;
   *status = good ? ph_check_patch_sides(w) : PH_OK;
-  if (*status == PH_OK && good && ph_check_patch_exact(v->curve)) {
+  if (*status == PH_OK && good && is_exact(v->curve)) {
     *status = ph_check_patch_strips(w, &good);
   }
   if (*status != PH_OK || !good || !set_scale(v, status)) {
@@ -331,7 +335,7 @@ static bool look(struct ph_check_patchwork *w, enum ph_status *status) {
   }
   if (v->problem) {
     set_allowed(w);
-    ph_check_patch_corners(w);
+    check_corners(w);
   }
   for (size_t i = 0; w->edges && i < v->curve->n; i++) {
     check_vertices(w, i);

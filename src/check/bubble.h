@@ -53,13 +53,6 @@ struct ph_check_patchwork {
   struct ph_check_error normal, jump, bend;
 };
 
-/* ph_check_patch_arrays: whether patches are such, with finite numbers. */
-bool ph_check_patch_arrays(struct ph_check *v, const struct ph_curve *curve);
-
-/* ph_check_patch_exact: whether no patch has control points: they are quotients
- * (bubble_exact.h). */
-bool ph_check_patch_exact(const struct ph_curve *curve);
-
 /* ph_check_patch_point: the point of vertex k of patch i, in the unit of the
  * data. */
 const double *ph_check_patch_point(const struct ph_curve *curve, size_t i,
@@ -86,10 +79,6 @@ enum ph_status ph_check_patch_sides(struct ph_check_patchwork *w);
  * ret  PH_OK | PH_E_NO_MEMORY
  */
 enum ph_status ph_check_patch_edges(struct ph_check_patchwork *w);
-
-/* ph_check_patch_corners: interpolation_error, and with normals of the problem
- * the angles of these to the tangent planes. */
-void ph_check_patch_corners(struct ph_check_patchwork *w);
 
 /* ph_check_patch_told: area, volume, degree and jumps as a record tells them.
  * ret  PH_OK | PH_E_NO_MEMORY */

@@ -360,7 +360,8 @@ static void check_element(struct ph_check_cone *cone, size_t i, size_t j,
                 "is off the point that is given, by more than the shift");
 }
 
-void ph_check_cone_elements(struct ph_check_cone *cone) {
+/* interpolation_error, and frames, of the problem. */
+static void check_elements(struct ph_check_cone *cone) {
   const struct ph_problem *p = cone->v->problem;
   const struct ph_curve *c = cone->curve;
   const size_t pairs = c->n / 2, elements = c->closed ? pairs : pairs + 1;
@@ -445,7 +446,7 @@ enum ph_status ph_check_cone(struct ph_check *v,
              ph_check_cone_scale(&cone, &status)) {
     cone.frame = allowed_of(v);
     ph_check_cone_strips(&cone);
-    ph_check_cone_elements(&cone);
+    check_elements(&cone);
   }
   if (status != PH_OK) {
     return status;
@@ -513,7 +514,7 @@ enum ph_status ph_check_surface(struct ph_check *v) {
   cone.frame = allowed_of(v);
   ph_check_cone_strips(&cone);
   if (v->problem) {
-    ph_check_cone_elements(&cone);
+    check_elements(&cone);
   }
   status = ph_check_cone_told(&cone);
   if (status == PH_OK) {

@@ -54,9 +54,6 @@ bool ph_check_cone_arrays(struct ph_check *v, const struct ph_curve *curve);
  */
 void ph_check_cone_strips(struct ph_check_cone *cone);
 
-/* ph_check_cone_elements: interpolation_error, and frames, of the problem. */
-void ph_check_cone_elements(struct ph_check_cone *cone);
-
 /* ph_check_cone_told: all that a record says besides: numbers of strips, pairs
  * and diagnostics, parallel surfaces, samples.  ret PH_OK | PH_E_NO_MEMORY */
 enum ph_status ph_check_cone_told(struct ph_check_cone *cone);

@@ -160,8 +160,3 @@ void ph_write_key_raw(struct ph_json_writer *w, const char *name,
 void ph_write_flag(struct ph_json_writer *w, bool flag) {
   ph_buf_puts(w->buf, flag ? "true" : "false");
 }
-
-void ph_write_key_flag(struct ph_json_writer *w, const char *name, bool flag) {
-  ph_write_key(w, name);
-  ph_write_flag(w, flag);
-}

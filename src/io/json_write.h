@@ -60,7 +60,6 @@ void ph_write_vectors(struct ph_json_writer *w, const double *v, size_t n,
 void ph_write_key_string(struct ph_json_writer *w, const char *name,
                          const char *text);
 void ph_write_key_number(struct ph_json_writer *w, const char *name, double x);
-void ph_write_key_flag(struct ph_json_writer *w, const char *name, bool flag);
 
 /* ph_write_key_raw: json[n] as it is; none if it is NULL */
 void ph_write_key_raw(struct ph_json_writer *w, const char *name,

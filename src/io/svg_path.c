@@ -46,7 +46,8 @@ static bool same(const double *a, const double *b) {
   return !(a[0] < b[0]) && !(a[0] > b[0]) && !(a[1] < b[1]) && !(a[1] > b[1]);
 }
 
-void ph_trace_bezier(struct ph_trace *t, const double *p, size_t degree) {
+/* p[degree][2]: the control points behind the pen. */
+static void trace_bezier(struct ph_trace *t, const double *p, size_t degree) {
   bool point = true;
   for (size_t i = 0; i < degree; i++) {
     point = point && same(p + 2 * i, t->at);
@@ -80,7 +81,7 @@ void ph_trace_move(struct ph_trace *t, double x, double y) {
 
 void ph_trace_line(struct ph_trace *t, double x, double y) {
   const double p[2] = {x, y};
-  ph_trace_bezier(t, p, 1);
+  trace_bezier(t, p, 1);
 }
 
 void ph_trace_close(struct ph_trace *t) {
@@ -139,7 +140,7 @@ static void add_arc(struct ph_trace *t, const struct ellipse *e, double from,
     if (i + 1 == n) {
       memcpy(p[DEGREE - 1], to, sizeof p[0]);
     }
-    ph_trace_bezier(t, p[0], DEGREE);
+    trace_bezier(t, p[0], DEGREE);
   }
 }
 
@@ -267,21 +268,21 @@ static void draw(struct reader *r, char command, double *x) {
     break;
   case 'C':
     memcpy(r->control, x + 2, sizeof r->control);
-    ph_trace_bezier(t, x, 3);
+    trace_bezier(t, x, 3);
     break;
   case 'S':
     memcpy(p + 2, x, 4 * sizeof *x);
     memcpy(r->control, x, sizeof r->control);
-    ph_trace_bezier(t, p, 3);
+    trace_bezier(t, p, 3);
     break;
   case 'Q':
     memcpy(r->control, x, sizeof r->control);
-    ph_trace_bezier(t, x, 2);
+    trace_bezier(t, x, 2);
     break;
   case 'T':
     memcpy(p + 2, x, 2 * sizeof *x);
     memcpy(r->control, p, sizeof r->control);
-    ph_trace_bezier(t, p, 2);
+    trace_bezier(t, p, 2);
     break;
   default:
     ph_trace_arc(t, x, x[2], x[3] > 0, x[4] > 0, x[5], x[6]);

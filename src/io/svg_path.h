@@ -46,9 +46,6 @@ struct ph_trace {
 void ph_trace_move(struct ph_trace *trace, double x, double y);
 void ph_trace_line(struct ph_trace *trace, double x, double y);
 
-/* ph_trace_bezier: p[degree][2], the control points behind the pen. */
-void ph_trace_bezier(struct ph_trace *trace, const double *p, size_t degree);
-
 /* ph_trace_arc: with radii and rotation (degrees) as of the command A. */
 void ph_trace_arc(struct ph_trace *trace, const double radii[2],
                   double rotation, bool large, bool sweep, double x, double y);

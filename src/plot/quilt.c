@@ -55,9 +55,10 @@ static bool find_range(struct ph_quilt *q, size_t n, double size,
   return mean;
 }
 
-enum ph_status ph_quilt_make(const struct ph_curve *curve,
-                             struct ph_arena *arena, struct ph_quilt *q,
-                             struct ph_diag *diag) {
+/* The tiles of a surface.  ret PH_OK | PH_E_NO_MEMORY */
+static enum ph_status quilt_of(const struct ph_curve *curve,
+                               struct ph_arena *arena, struct ph_quilt *q,
+                               struct ph_diag *diag) {
   const double each = sqrt((double)PH_QUILT_TILES / (double)curve->n);
   struct ph_arena scratch = ph_arena_beside(arena);
   struct ph_patch_samples grid;
@@ -108,8 +109,7 @@ enum ph_status ph_quilt_drawing(const struct ph_result *result,
                            .low = {HUGE_VAL, HUGE_VAL, HUGE_VAL},
                            .high = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
   d->quilt = q = ph_arena_array(&d->arena, 1, sizeof *q);
-  status =
-      q ? ph_quilt_make(&result->curve, &d->arena, q, diag) : PH_E_NO_MEMORY;
+  status = q ? quilt_of(&result->curve, &d->arena, q, diag) : PH_E_NO_MEMORY;
   if (status == PH_OK) {
     d->places = q->patches_n * (q->steps + 1) * (q->steps + 1);
     for (size_t i = 0; i < d->places; i++) {

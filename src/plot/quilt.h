@@ -40,11 +40,6 @@ enum { PH_QUILT_TILES = 12000, PH_QUILT_STEPS = 24 };
 /* Results of a sweep that are shown, each as a row. */
 enum { PH_QUILT_ROWS = 12 };
 
-/* ph_quilt_make: those of a surface.  ret PH_OK | PH_E_NO_MEMORY */
-enum ph_status ph_quilt_make(const struct ph_curve *curve,
-                             struct ph_arena *arena, struct ph_quilt *quilt,
-                             struct ph_diag *diag);
-
 /* ph_quilt_drawing: the drawing of such a surface, as ph_drawing_make. */
 enum ph_status ph_quilt_drawing(const struct ph_result *result,
                                 const struct ph_drawing_names *names,

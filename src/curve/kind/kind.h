@@ -37,7 +37,8 @@ struct ph_sampler_ops {
   struct ph_sample (*at)(const struct ph_sampler *sampler, double u);
   double (*length)(const struct ph_sampler *sampler, double u, double *speed);
   double (*chord_bound)(const struct ph_sampler *sampler, double u0, double u1);
-  /* at_each: as ph_sampler_at_each; NULL: by `at', one after the other. */
+  /* at_each: the same, to the last bit, at n places, in less time; NULL: by
+   * `at', one after the other. */
   void (*at_each)(const struct ph_sampler *sampler, const double *u, size_t n,
                   struct ph_sample *samples);
 };

@@ -66,8 +66,10 @@ struct ph_sample ph_sampler_at(const struct ph_sampler *sampler, double u) {
   return sampler->ops->at(sampler, u);
 }
 
-void ph_sampler_at_each(const struct ph_sampler *sampler, const double *u,
-                        size_t n, struct ph_sample *samples) {
+/* The same as ph_sampler_at, to the last bit, at n places; where some are
+ * computed at once, in less time.  out  samples[n] */
+static void at_each(const struct ph_sampler *sampler, const double *u, size_t n,
+                    struct ph_sample *samples) {
   if (sampler->ops->at_each) {
     sampler->ops->at_each(sampler, u, n, samples);
     return;
@@ -239,7 +241,7 @@ static void put_sample(struct walk *walk, size_t i, double u,
 static void settle(struct walk *walk) {
   const size_t n = walk->waiting, first = walk->samples->n - n;
   struct ph_sample sample[GROUP];
-  ph_sampler_at_each(&walk->sampler, walk->u, n, sample);
+  at_each(&walk->sampler, walk->u, n, sample);
   for (size_t i = 0; i < n; i++) {
     put_sample(walk, first + i, walk->u[i], &sample[i]);
   }

@@ -90,11 +90,6 @@ ph_vec3 ph_sample_principal(const struct ph_sample *sample, ph_vec3 normal);
  * u = 0 and u = 1 are control points, to the last bit. */
 struct ph_sample ph_sampler_at(const struct ph_sampler *sampler, double u);
 
-/* ph_sampler_at_each: the same, to the last bit, at n places; where some are
- * computed at once, in less time.  out  samples[n] */
-void ph_sampler_at_each(const struct ph_sampler *sampler, const double *u,
-                        size_t n, struct ph_sample *samples);
-
 /*
  * ph_sampler_length: the arc length from the start of the segment to u in
  * [0,1], increasing, from 0 to sampler->length, to 1e-13 of that; on

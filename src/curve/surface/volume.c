@@ -15,8 +15,10 @@ static const double LAST = 1e-6;
 
 /* ---- lattices ------------------------------------------------------------ */
 
-bool ph_volume_at(const struct ph_volume *volume, const double point[3],
-                  double *value) {
+/* The number at a point, by trilinear interpolation between the eight lattice
+ * points around it.  ret  whether the point is in the lattice */
+static bool number_at(const struct ph_volume *volume, const double point[3],
+                      double *value) {
   double part[3], sum = 0;
   size_t cell[3];
   for (size_t a = 0; a < 3; a++) {
@@ -86,7 +88,7 @@ static size_t first_at(double x, size_t most) {
 static void add_point(struct ph_panorama *p, const struct ph_volume *volume,
                       const struct ph_surface_sample *at, double *v) {
   p->points++;
-  if (!ph_volume_at(volume, at->point, v)) {
+  if (!number_at(volume, at->point, v)) {
     p->outside++;
     *v = (double)INFINITY; /* not to be looked for on another strip */
   }

@@ -11,15 +11,6 @@
 #include "curve/result.h"
 
 /*
- * ph_volume_at: the number at a point, by trilinear interpolation between the
- * eight lattice points around it.
- *
- * ret  whether the point is in the lattice
- */
-bool ph_volume_at(const struct ph_volume *volume, const double point[3],
-                  double *value);
-
-/*
  * ph_panorama_of: the points of the development at multiples of 1/resolution
  * from the upper left corner of its bounding box on, row by row downwards, and
  * what the volume has there.  What is beside the development, or the volume, is
