@@ -43,8 +43,10 @@ static void *begin(void *argument) {
   return NULL;
 }
 
-void ph_team_run(atomic_int *spare, size_t n, void (*work)(void *, size_t),
-                 void *context) {
+/* Calls work(context, i) for i = 0 to n - 1, at the same time, and gives n - 1
+ * threads back. */
+static void run_all(atomic_int *spare, size_t n, void (*work)(void *, size_t),
+                    void *context) {
   struct member members[PH_TEAM_MAX];
   for (size_t i = 1; i < n; i++) {
     members[i] = (struct member){.work = work, .context = context, .i = i};
@@ -85,7 +87,7 @@ void ph_team_spread(atomic_int *spare, size_t threads, size_t n, size_t chunk,
                                  size_t end),
                     void *context) {
   struct spread s = {n, chunk, work, context, 0};
-  ph_team_run(spare, threads, take_chunks, &s);
+  run_all(spare, threads, take_chunks, &s);
 }
 
 void ph_team_share(const struct ph_arena *arena, size_t n, size_t worth,

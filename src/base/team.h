@@ -28,19 +28,12 @@ void ph_team_leave(atomic_int *spare);
 size_t ph_team_take(atomic_int *spare, size_t most);
 
 /*
- * ph_team_run: calls work(context, i) for i = 0 to n - 1, at the same time, and
- * gives n - 1 threads back when all have ended.  Where a thread cannot be made,
- * the caller does its work as well, afterwards.
- */
-void ph_team_run(atomic_int *spare, size_t n,
-                 void (*work)(void *context, size_t i), void *context);
-
-/*
- * ph_team_spread: the same of n things, `chunk' at a time: calls
- * work(context, thread, first, end) for all of them, each time with the next
- * ones that nobody has taken; end is n at most, thread less than `threads',
- * which were taken.  Where it returns false, nobody takes more: all that come
- * before are done, and who needs to know which failed first can.
+ * ph_team_spread: calls work(context, thread, first, end) for n things, `chunk'
+ * at a time, each time with the next ones that nobody has taken, and gives the
+ * threads back when all have ended; end is n at most, thread less than
+ * `threads', which were taken.  Where a thread cannot be made, the caller does
+ * its work as well, afterwards.  Where work returns false, nobody takes more:
+ * all that come before are done, and who needs to know which failed first can.
  */
 void ph_team_spread(atomic_int *spare, size_t threads, size_t n, size_t chunk,
                     bool (*work)(void *context, size_t thread, size_t first,

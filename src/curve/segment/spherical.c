@@ -508,11 +508,6 @@ double ph_spherical_legs_numerator_start(const struct ph_spherical_legs *s) {
   return first(s, &theta);
 }
 
-double ph_spherical_legs_numerator_end(const struct ph_spherical_legs *s) {
-  double theta;
-  return last(s, &theta);
-}
-
 double ph_spherical_legs_curvature_start(const struct ph_spherical_legs *s) {
   double theta, k = first(s, &theta);
   return k / (27 * theta * theta * theta);
@@ -530,7 +525,6 @@ double ph_spherical_legs_curvature_end(const struct ph_spherical_legs *s) {
     return ph_spherical_legs_##what(&legs);                  \
   }
 BY_POINTS(numerator_start)
-BY_POINTS(numerator_end)
 BY_POINTS(curvature_start)
 BY_POINTS(curvature_end)
 #undef BY_POINTS
