@@ -146,34 +146,49 @@ static const double UNCERTAIN = 0.1;
  * it has a peak that no node is on, so may the function. */
 static const double KNOWN = 0.01;
 
-/* The integral of an uncertainty, as far as it is known. */
-static double uncertainty(const struct look *whole, const struct look *left,
-                          const struct look *right, double h) {
-  double error = left->sum + right->sum, near = KNOWN * error;
-  bool known = fabs(error - whole->sum) <= near && is_seen(left, h / 2, near) &&
-               is_seen(right, h / 2, near);
-  return known && isfinite(error) ? error : 0;
+/* It is looked for until it is known to this part, where it matters: it may
+ * have a peak where the function has none, as of a straight curve that nearly
+ * stops. */
+static const double ABOUT = 0.5;
+
+/* Whether the halves of an interval agree with the whole, and with its ends. */
+static bool is_near(const struct look *whole, const struct look *left,
+                    const struct look *right, double h, double near) {
+  return fabs(left->sum + right->sum - whole->sum) <= near &&
+         is_seen(left, h / 2, near) && is_seen(right, h / 2, near);
+}
+
+/* Whether the halves of an interval agree with the whole, for one function. */
+static bool is_found(const struct task *task, const struct part *whole,
+                     const struct part *left, const struct part *right,
+                     size_t j) {
+  double h = fabs(whole->to - whole->from);
+  double near =
+      task->near[j] * h + (task->of->relative + ROUNDING) *
+                              (fabs(left->of[j].sum) + fabs(right->of[j].sum));
+  bool found = true;
+  if (task->of->uncertain) {
+    size_t k = task->of->uncertain + j;
+    const struct look *w = &whole->of[k], *l = &left->of[k], *r = &right->of[k];
+    double error = l->sum + r->sum;
+    found = !isfinite(error) || is_near(w, l, r, h, near + ABOUT * error);
+    if (isfinite(error) && is_near(w, l, r, h, KNOWN * error)) {
+      near += UNCERTAIN * error;
+    }
+  }
+  return found && is_near(&whole->of[j], &left->of[j], &right->of[j], h, near);
 }
 
 /* Whether the halves of an interval agree with the whole. */
 static bool is_enough(struct task *task, const struct part *whole,
                       const struct part *left, const struct part *right) {
-  double h = fabs(whole->to - whole->from);
   size_t uncertain = task->of->uncertain;
   bool enough = true;
   for (size_t j = 0; j < (uncertain ? uncertain : task->of->n); j++) {
-    const struct look *a = &left->of[j], *b = &right->of[j];
-    double near = task->near[j] * h + (task->of->relative + ROUNDING) *
-                                          (fabs(a->sum) + fabs(b->sum));
-    if (uncertain) {
-      size_t k = uncertain + j;
-      near += UNCERTAIN *
-              uncertainty(&whole->of[k], &left->of[k], &right->of[k], h);
-    }
-    task->failed[j] = task->failed[j] || !isfinite(a->sum + b->sum);
-    enough = enough && (task->failed[j] ||
-                        (fabs(a->sum + b->sum - whole->of[j].sum) <= near &&
-                         is_seen(a, h / 2, near) && is_seen(b, h / 2, near)));
+    task->failed[j] =
+        task->failed[j] || !isfinite(left->of[j].sum + right->of[j].sum);
+    enough =
+        enough && (task->failed[j] || is_found(task, whole, left, right, j));
   }
   return enough;
 }

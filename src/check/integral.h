@@ -43,7 +43,8 @@ struct ph_check_integrands {
   const void *context;
   size_t n;         /* functions */
   size_t uncertain; /* 0; or n = 2 uncertain, and the second half are errors of
-                       the first, which need not be found better than that */
+                       the first, which are found about, and of which these
+                       need not be found better than that */
   double tolerance; /* absolute, per unit of x */
   double relative;  /* of the integral */
 };

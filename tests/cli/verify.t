@@ -319,6 +319,19 @@ echo '{"points":[[108500709.36164,-119726663.19823],
 made planar <slow
 verified 'solutions that nearly stop next to an end' 1 --problems=slow
 
+# as slow at an end, where its control points are on a line and its preimage is
+# not quite: the line has no energy, and what rounding adds has a peak
+echo '{"points":[[0,0],[-1,1],[-2,2]],"end_derivatives":[
+  [-0.992956758896596,0.992956758896596],
+  [-0.000002966749526734,0.0000029667495267343]]}' >slow
+made planar <slow
+verified 'a line that nearly stops at its end' 1 --problems=slow
+sed 's/"IMV":[0-9.]*/"IMV":1e20/' r >tampered
+run verify tampered
+equal 'an energy that rounding does not make of it' \
+  '1 "not-verified" "diagnostics.IMV"' \
+  "$status $(get error.code) $(get error.field)"
+
 # a derivative that is 1e-14 of the others, and its direction in Bezier pieces
 echo '{"points":[[0,0],[-0.832038,0.554718],[-0.850496,0.552927],
   [-1.816692,0.810737],[-1.818023,0.811431],[-2.66409,1.344507]],
