@@ -14,7 +14,8 @@
  * One unknown for each point, the angle of its tangent, and one equation, that
  * the logarithms of both curvatures are equal: a tridiagonal system, cyclic for
  * closed data.  Newton's method with steps that are halved until the residual
- * falls; if it fails, continuation from data that are nearly straight.  Where
+ * falls; if it fails, continuation from data that are nearly straight; long
+ * chains block by block, as what is far away hardly matters.  Where
  * neighbouring turns are so large that solutions would be several, or none,
  * points are added between them.
  *
@@ -96,17 +97,21 @@ struct ph_g2_node {
   bool inner;       /* it has two spans */
 };
 
+/* An interval of the data where there is no curve: none was found, or the data
+ * turn back or have a corner at one of its ends. */
+enum ph_g2_hard { PH_G2_EASY, PH_G2_HARD, PH_G2_STUCK };
+
 struct ph_g2_chain {
   const struct ph_tc_data *data;
   size_t n;       /* spans */
   size_t nodes_n; /* n if closed, else n + 1 */
   bool closed;
-  bool given[2];      /* whether there are end tangents */
-  ph_cplx tangent[2]; /* these */
-  size_t stuck;       /* the datum that has no curve, or PH_G2_ADDED */
-  const unsigned char
-      *loose; /* NULL, or whether at a datum that ends a straight
-                 run the tangent need not be along it */
+  bool given[2];              /* whether there are end tangents */
+  ph_cplx tangent[2];         /* these */
+  const unsigned char *loose; /* [points] whether at a datum that ends a
+                                 straight run the tangent need not be along
+                                 it */
+  unsigned char *hard;        /* [intervals of the data] enum ph_g2_hard */
   struct ph_g2_node *node;
   struct ph_g2_span *span;
 };
@@ -149,23 +154,21 @@ enum ph_status ph_g2_add(const struct ph_g2_chain *chain,
                          struct ph_arena *arena, struct ph_g2_chain *grown,
                          struct ph_diag *diag);
 
-/* Sums of two turns beyond which a point is added: in general, and where the
- * solution is proved to be the only one, 2 arccos((sqrt(33) - 1)/8) rounded
- * down. */
-#define PH_G2_TURNS (7 * PH_PI / 6)
-#define PH_G2_TURNS_SAFE 1.8718
+/* ph_g2_mark: that intervals are hard, or no longer: those of spans first to
+ * end - 1. */
+void ph_g2_mark(const struct ph_g2_chain *chain, size_t first, size_t end,
+                enum ph_g2_hard hard);
 
 /*
- * ph_g2_plan: adds points where turns are too large, and says what stands
- * between all.
+ * ph_g2_plan: adds points where turns are too large, more where intervals are
+ * hard, and says what stands between all.
  *
- * in   most     sum of neighbouring turns of one sign
  * in   may_add  whether points may be added
  * ret  PH_OK | PH_E_INFEASIBLE (the data turn back; they may not be added to)
  *      | PH_E_NO_CONVERGENCE (they have a corner between straight runs) |
  *      PH_E_NO_MEMORY
  */
-enum ph_status ph_g2_plan(struct ph_g2_chain *chain, double most, bool may_add,
+enum ph_status ph_g2_plan(struct ph_g2_chain *chain, bool may_add,
                           struct ph_arena *arena, struct ph_diag *diag);
 
 /* Long chains are gone through in parts of so many nodes; so many, 2 ms or
@@ -194,7 +197,7 @@ struct ph_g2_solution {
 };
 
 /*
- * ph_g2_solve: the angles.
+ * ph_g2_solve: the angles; where none are found intervals are hard.
  *
  * ret  PH_OK | PH_E_NO_CONVERGENCE | PH_E_NO_MEMORY
  */
@@ -208,8 +211,8 @@ enum ph_status ph_g2_solve(const struct ph_g2_chain *chain,
  * more points where that makes it fairer, or is needed.
  *
  * in    may_add  whether points may be added
- * inout chain    that of ph_g2_chain_of, and the one that was found
- * ret   as ph_g2_plan and ph_g2_solve
+ * inout chain    with `loose' and `hard'; that of ph_g2_chain_of, and the one
+ * that was found ret   as ph_g2_plan and ph_g2_solve
  */
 enum ph_status ph_g2_find(struct ph_g2_chain *chain, bool may_add,
                           enum ph_g2_rule rule, struct ph_arena *arena,

@@ -50,11 +50,10 @@ static bool move_chain(struct ph_g2_chain *chain, struct ph_arena *arena) {
 
 /* What stands between the points of a chain; what it takes to find that is
  * gone after it. */
-static enum ph_status plan(struct ph_g2_chain *chain, double turns,
-                           bool may_add, struct ph_arena *arena,
-                           struct ph_diag *diag) {
+static enum ph_status plan(struct ph_g2_chain *chain, bool may_add,
+                           struct ph_arena *arena, struct ph_diag *diag) {
   struct ph_arena work = ph_arena_beside(arena);
-  enum ph_status status = ph_g2_plan(chain, turns, may_add, &work, diag);
+  enum ph_status status = ph_g2_plan(chain, may_add, &work, diag);
   if (status == PH_OK && !move_chain(chain, arena)) {
     status = ph_fail_memory(diag);
   }
@@ -62,21 +61,24 @@ static enum ph_status plan(struct ph_g2_chain *chain, double turns,
   return status;
 }
 
-/* The same, and the angles; with more points if that fails. */
+/* The same, and the angles; with more points where that fails. */
 static enum ph_status plan_and_solve(struct ph_g2_chain *chain, bool may_add,
                                      enum ph_g2_rule rule,
                                      struct ph_arena *arena,
                                      struct ph_g2_solution *s,
                                      struct ph_diag *diag) {
   const struct ph_g2_chain given = *chain;
-  enum ph_status status = plan(chain, PH_G2_TURNS, may_add, arena, diag);
+  enum ph_status status;
+  ph_g2_mark(chain, 0, chain->n, PH_G2_EASY);
+  status = plan(chain, may_add, arena, diag);
   if (status == PH_OK) {
     status = ph_g2_solve(chain, rule, arena, s, diag);
   }
   if (status == PH_E_NO_CONVERGENCE && may_add && !ph_arena_late(arena)) {
     *chain = given;
-    status = plan(chain, PH_G2_TURNS_SAFE, true, arena, diag);
+    status = plan(chain, true, arena, diag);
     if (status == PH_OK) {
+      ph_g2_mark(chain, 0, chain->n, PH_G2_EASY);
       status = ph_g2_solve(chain, rule, arena, s, diag);
     }
   }
@@ -154,7 +156,6 @@ enum ph_status ph_g2_find(struct ph_g2_chain *chain, bool may_add,
   struct solved *last = &tried[0], *next = &tried[1];
   enum ph_status status = plan_and_solve(&last->chain, may_add, rule,
                                          &last->arena, &last->solution, diag);
-  chain->stuck = last->chain.stuck;
   for (size_t round = 0; status == PH_OK && may_add && round < LOOPS_MAX &&
                          lengthen(last, rule, next, &status, diag);
        round++) {

@@ -80,6 +80,7 @@ struct search {
   size_t start;             /* of closed data the first that got one */
   unsigned char *line;      /* [points] whether a line begins or ends there */
   unsigned char *loose;     /* [points] of the chains */
+  unsigned char *hard;      /* [n] of the chains */
 };
 
 static bool measure_some_pairs(void *context, size_t thread, size_t first,
@@ -148,6 +149,7 @@ static enum ph_status solve_part(struct search *s, struct ph_g2_part *part,
                           d->closed && only ? NULL : tangent, s->arena,
                           &part->chain, diag);
   part->chain.loose = s->loose;
+  part->chain.hard = s->hard;
   if (status == PH_OK) {
     status = ph_g2_find(&part->chain, s->may_add, s->rule, s->arena,
                         &part->solution, diag);
@@ -156,9 +158,10 @@ static enum ph_status solve_part(struct search *s, struct ph_g2_part *part,
   if (status == PH_E_NO_CONVERGENCE && ph_arena_late(s->arena)) {
     return ph_fail_memory(s->diag);
   }
-  return status == PH_OK || status == PH_E_NO_MEMORY ? status
-         : only                                      ? status
-                                                     : PH_OK;
+  if (status == PH_E_NO_MEMORY) {
+    return ph_fail_memory(s->diag);
+  }
+  return only ? status : PH_OK;
 }
 
 /* Spans of a part that are measured. */
@@ -226,14 +229,15 @@ static double shortness(const struct ph_tc_data *d, size_t i) {
   return most;
 }
 
-/* Marks the middle of a part, of two intervals the one that bends more; of
+/* Marks the middle of a run, of two intervals the one that bends more; of all
  * closed data, which have no middle, those that bend most. */
-static void mark_middle(struct search *s, const struct ph_g2_part *part) {
+static void mark_middle(struct search *s, const struct ph_g2_part *part,
+                        size_t first, size_t run) {
   const size_t n = s->data->n;
   double most = 0;
-  if (!part->chain.closed) {
-    const size_t a = around(s, part->first + (part->n - 1) / 2);
-    const size_t b = around(s, part->first + part->n / 2);
+  if (!part->chain.closed || run < n) {
+    const size_t a = around(s, first + (run - 1) / 2);
+    const size_t b = around(s, first + run / 2);
     s->mark[s->pair[b].energy > s->pair[a].energy ? b : a] = 1;
     return;
   }
@@ -245,25 +249,45 @@ static void mark_middle(struct search *s, const struct ph_g2_part *part) {
   }
 }
 
-/* A part without a solution: marks beside the datum that has none, or the
- * intervals that are short beside others, and the middle. */
-static void mark_failed(struct search *s, const struct ph_g2_part *part) {
-  const size_t end = part->first + part->n, n = s->data->n;
-  size_t stuck = part->chain.stuck;
+/* Marks the intervals of a run that are short beside others, and the middle. */
+static void mark_run(struct search *s, const struct ph_g2_part *part,
+                     size_t first, size_t n) {
   double most = 1;
-  if (stuck != PH_G2_ADDED) {
-    s->mark[(stuck + n - 1) % n] = s->mark[stuck % n] = 1;
-    return;
-  }
-  for (size_t i = part->first; i < end; i++) {
+  for (size_t i = first; i < first + n; i++) {
     most = fmax(most, shortness(s->data, around(s, i)));
   }
-  for (size_t i = part->first; i < end; i++) {
+  for (size_t i = first; i < first + n; i++) {
     if (most > 1 && shortness(s->data, around(s, i)) >= sqrt(most)) {
       s->mark[around(s, i)] = 1;
     }
   }
-  mark_middle(s, part);
+  mark_middle(s, part, first, n);
+}
+
+/* A part without a solution: marks intervals that are stuck, or some of each
+ * run that is hard; of all, if it is not known where it is hard. */
+static void mark_failed(struct search *s, const struct ph_g2_part *part) {
+  const size_t end = part->first + part->n;
+  size_t run = 0, runs = 0;
+  bool stuck = false;
+  for (size_t i = part->first; i < end; i++) {
+    if (s->hard[around(s, i)] == PH_G2_STUCK) {
+      s->mark[around(s, i)] = 1;
+      stuck = true;
+    }
+  }
+  for (size_t i = part->first; !stuck && i <= end; i++) {
+    if (i < end && s->hard[around(s, i)]) {
+      run++;
+    } else if (run > 0) {
+      mark_run(s, part, i - run, run);
+      run = 0;
+      runs++;
+    }
+  }
+  if (!stuck && runs == 0) {
+    mark_run(s, part, part->first, part->n);
+  }
 }
 
 /* How much an interval makes the whole worse than with all pairs. */
@@ -458,14 +482,16 @@ enum ph_status ph_g2_parts_of(const struct ph_problem *problem,
   parts->n = 1;
   parts->part = ph_arena_array(arena, 1, sizeof *parts->part);
   s.loose = ph_arena_array(arena, data->points_n, 1);
-  if (!parts->part || !s.loose) {
+  s.hard = ph_arena_array(arena, data->n, 1);
+  if (!parts->part || !s.loose || !s.hard) {
     return ph_fail_memory(diag);
   }
   memset(s.loose, 0, data->points_n);
+  memset(s.hard, 0, data->n);
   parts->part[0] = (struct ph_g2_part){.n = data->n};
   status = solve_part(&s, &parts->part[0], true);
   return spline && (status == PH_OK || status == PH_E_NO_CONVERGENCE ||
-                    parts->part[0].chain.stuck != PH_G2_ADDED)
+                    memchr(s.hard, PH_G2_STUCK, data->n))
              ? improve(&s, parts)
              : status;
 }

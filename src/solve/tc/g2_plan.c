@@ -14,8 +14,13 @@ static const double STRAIGHT = 1e-12;
 /* So near to half a turn the data turn back. */
 static const double REVERSAL = 1e-9;
 
+/* Sums of two turns beyond which a point is added: in general, and where the
+ * solution is proved to be the only one, 2 arccos((sqrt(33) - 1)/8) rounded
+ * down. */
+static const double TURNS = 7 * PH_PI / 6, TURNS_SAFE = 1.8718;
+
 /* Of a turn that is too large for a bend: over the sum of two turns of an arc.
- * For PH_G2_TURNS it is a right angle, and a little more: right angles of data
+ * For TURNS it is a right angle, and a little more: right angles of data
  * are none. */
 static const double OF_BEND = 3. / 7 * (1 + 1e-9);
 
@@ -111,10 +116,8 @@ enum ph_status ph_g2_chain_of(const struct ph_tc_data *data, size_t first,
                               size_t n, const ph_cplx tangent[2],
                               struct ph_arena *arena, struct ph_g2_chain *chain,
                               struct ph_diag *diag) {
-  *chain =
-      (struct ph_g2_chain){.data = data,
-                           .closed = data->closed && n == data->n && !tangent,
-                           .stuck = PH_G2_ADDED};
+  *chain = (struct ph_g2_chain){
+      .data = data, .closed = data->closed && n == data->n && !tangent};
   if (!alloc(chain, n, arena)) {
     return ph_fail_memory(diag);
   }
@@ -233,48 +236,82 @@ static size_t wanted_over(const struct ph_g2_chain *chain, size_t i,
 }
 
 /* All of them.  ret NULL when memory is exhausted */
-static struct ph_g2_apex *wanted(const struct ph_g2_chain *chain, double most,
+static struct ph_g2_apex *wanted(const struct ph_g2_chain *chain,
                                  struct ph_arena *arena, size_t *n) {
-  struct ph_g2_apex two[2], *apex;
-  size_t total = 0;
-  for (size_t i = 0; i < chain->n; i++) {
-    total += wanted_over(chain, i, most, two);
-  }
-  apex = ph_arena_array(arena, total, sizeof *apex);
-  *n = 0;
-  for (size_t i = 0; apex && i < chain->n && *n < total; i++) {
-    size_t here = wanted_over(chain, i, most, two);
-    memcpy(apex + *n, two, here * sizeof *apex);
-    *n += here;
+  struct ph_g2_apex *apex = NULL;
+  for (size_t fill = 0; fill < 2; fill++) {
+    size_t total = 0, interval = 0;
+    for (size_t i = 0; i < chain->n; i++) {
+      struct ph_g2_apex two[2];
+      size_t here;
+      if (chain->node[i].datum != PH_G2_ADDED) {
+        interval = chain->node[i].datum;
+      }
+      here = wanted_over(chain, i, chain->hard[interval] ? TURNS_SAFE : TURNS,
+                         two);
+      if (apex) {
+        memcpy(apex + total, two, here * sizeof *apex);
+      }
+      total += here;
+    }
+    *n = total;
+    if (!apex) {
+      apex = ph_arena_array(arena, total, sizeof *apex);
+    }
   }
   return apex;
 }
 
-static enum ph_status check_reversal(struct ph_g2_chain *chain,
-                                     struct ph_diag *diag) {
-  for (size_t k = 0; k < chain->nodes_n; k++) {
-    const struct ph_g2_node *node = &chain->node[k];
-    if (!(fabs(node->turn) < PH_PI - REVERSAL)) {
-      chain->stuck = node->inner ? node->datum : PH_G2_ADDED;
-      return node->inner
-                 ? ph_fail_at(diag, PH_E_INFEASIBLE, "points", node->datum,
-                              "is where the data turn back by 180 "
-                              "degrees: no curve of bounded curvature "
-                              "does")
-                 : ph_fail_at(diag, PH_E_INFEASIBLE, "end_tangents", k > 0,
-                              "points back along the chord");
+void ph_g2_mark(const struct ph_g2_chain *chain, size_t first, size_t end,
+                enum ph_g2_hard hard) {
+  size_t at = first;
+  while (chain->node[at].datum == PH_G2_ADDED) {
+    at--; /* the first is one of the data */
+  }
+  for (size_t i = at; i < end; i++) {
+    if (chain->node[i].datum != PH_G2_ADDED) {
+      chain->hard[chain->node[i].datum] = (unsigned char)hard;
     }
   }
-  return PH_OK;
 }
 
-static enum ph_status add_points(struct ph_g2_chain *chain, double most,
-                                 bool may_add, struct ph_arena *arena,
-                                 struct ph_diag *diag) {
+/* Both intervals beside an inner node have no curve. */
+static void mark_stuck(const struct ph_g2_chain *chain, size_t k) {
+  const size_t before = ph_g2_before(chain, k);
+  ph_g2_mark(chain, before, before + 1, PH_G2_STUCK);
+  ph_g2_mark(chain, k, k + 1, PH_G2_STUCK);
+}
+
+static enum ph_status check_reversal(const struct ph_g2_chain *chain,
+                                     struct ph_diag *diag) {
+  enum ph_status status = PH_OK;
+  for (size_t k = 0; k < chain->nodes_n; k++) {
+    const struct ph_g2_node *node = &chain->node[k];
+    if (fabs(node->turn) < PH_PI - REVERSAL) {
+      continue;
+    }
+    if (node->inner) {
+      mark_stuck(chain, k);
+    }
+    if (status == PH_OK) {
+      status = node->inner
+                   ? ph_fail_at(diag, PH_E_INFEASIBLE, "points", node->datum,
+                                "is where the data turn back by 180 "
+                                "degrees: no curve of bounded curvature "
+                                "does")
+                   : ph_fail_at(diag, PH_E_INFEASIBLE, "end_tangents", k > 0,
+                                "points back along the chord");
+    }
+  }
+  return status;
+}
+
+static enum ph_status add_points(struct ph_g2_chain *chain, bool may_add,
+                                 struct ph_arena *arena, struct ph_diag *diag) {
   enum ph_status status = PH_OK;
   for (size_t round = 0; status == PH_OK && round < ROUNDS_MAX; round++) {
     size_t n;
-    struct ph_g2_apex *apex = wanted(chain, most, arena, &n);
+    struct ph_g2_apex *apex = wanted(chain, arena, &n);
     if (!apex) {
       return ph_fail_memory(diag);
     }
@@ -289,10 +326,12 @@ static enum ph_status add_points(struct ph_g2_chain *chain, double most,
     }
     status = ph_g2_add(chain, apex, n, arena, chain, diag);
   }
-  return status == PH_OK
-             ? ph_fail(diag, PH_E_NO_CONVERGENCE, "points",
-                       "turn too much: points that are added do not settle")
-             : status;
+  if (status == PH_OK) {
+    ph_g2_mark(chain, 0, chain->n, PH_G2_HARD);
+    status = ph_fail(diag, PH_E_NO_CONVERGENCE, "points",
+                     "turn too much: points that are added do not settle");
+  }
+  return status;
 }
 
 /* ---- straight runs ------------------------------------------------------- */
@@ -445,6 +484,7 @@ static void senses_of(const struct ph_g2_chain *chain, size_t i, int sense[2]) {
 
 static enum ph_status set_forms(struct ph_g2_chain *chain,
                                 struct ph_diag *diag) {
+  enum ph_status status = PH_OK;
   for (size_t i = 0; i < chain->n; i++) {
     struct ph_g2_span *span = &chain->span[i];
     int sense[2];
@@ -465,19 +505,22 @@ static enum ph_status set_forms(struct ph_g2_chain *chain,
     if (chain->node[k].inner && !is_straight(chain, k) &&
         chain->span[k].form == PH_G2_LINE &&
         chain->span[ph_g2_before(chain, k)].form == PH_G2_LINE) {
-      chain->stuck = chain->node[k].datum;
-      return ph_fail_at(diag, PH_E_NO_CONVERGENCE, "points", chain->stuck,
-                        "is a corner between straight runs");
+      mark_stuck(chain, k);
+      if (status == PH_OK) {
+        status = ph_fail_at(diag, PH_E_NO_CONVERGENCE, "points",
+                            chain->node[k].datum,
+                            "is a corner between straight runs");
+      }
     }
   }
-  return PH_OK;
+  return status;
 }
 
-enum ph_status ph_g2_plan(struct ph_g2_chain *chain, double most, bool may_add,
+enum ph_status ph_g2_plan(struct ph_g2_chain *chain, bool may_add,
                           struct ph_arena *arena, struct ph_diag *diag) {
   enum ph_status status = check_reversal(chain, diag);
   if (status == PH_OK) {
-    status = add_points(chain, most, may_add, arena, diag);
+    status = add_points(chain, may_add, arena, diag);
   }
   for (size_t i = 0; status == PH_OK && i < chain->n; i++) {
     chain->span[i].form = PH_G2_ARC;

@@ -20,7 +20,19 @@ static const double STEP_MAX = 4;
 /* Part of a residual that a step must remove, times its length. */
 static const double ARMIJO = 1e-4;
 
-enum { NEWTON_MAX = 60, CONTINUED_MAX = 25, HALVINGS_MAX = 25 };
+enum { NEWTON_MAX = 60, CONTINUED_MAX = 25, HALVINGS_MAX = 24 };
+
+/*
+ * Chains of more nodes are solved in blocks if Newton's method fails without
+ * halvings: one knot that is hard must not slow down, or fail, the others. What
+ * is BESIDE nodes away changes a tangent by less than 1e-5 of itself, and
+ * Newton's method for all goes on from there.
+ */
+enum { LONG = 1024, BLOCK = 128, BESIDE = 24, BLOCKS_SHARED = 8 };
+
+/* Where Newton's method stops for all, nodes are hard whose residuals are this
+ * part of the largest. */
+static const double HARD = 0.1;
 
 /* Continuation: its first step, and where it gives up. */
 static const double FIRST_STEP = 0.1, LAST_STEP = 1e-3;
@@ -49,9 +61,9 @@ static double newton_step(struct ph_g2_system *s) {
 }
 
 /* Goes along the step until the residual falls. */
-static bool descend(struct ph_g2_system *s, double largest) {
+static bool descend(struct ph_g2_system *s, double largest, size_t halvings) {
   double part = fmin(1, STEP_MAX / largest);
-  for (size_t halving = 0; halving < HALVINGS_MAX; halving++, part /= 2) {
+  for (size_t halving = 0; halving <= halvings; halving++, part /= 2) {
     double most = (1 - ARMIJO * part) * sqrt(s->now.norm2);
     for (size_t k = 0; k < s->chain->nodes_n; k++) {
       s->next.y[k] = s->now.y[k] + part * s->step[k];
@@ -96,7 +108,7 @@ static bool is_rounding(const struct ph_g2_system *s) {
 }
 
 /* From s->now.y.  ret whether s->now is a solution */
-static bool newton(struct ph_g2_system *s, size_t most,
+static bool newton(struct ph_g2_system *s, size_t most, size_t halvings,
                    const struct ph_arena *arena) {
   if (!ph_g2_system_evaluate(s, &s->now)) {
     return false;
@@ -111,7 +123,7 @@ static bool newton(struct ph_g2_system *s, size_t most,
     if (!isfinite(largest)) {
       return false;
     }
-    if (!descend(s, largest)) {
+    if (!descend(s, largest, halvings)) {
       return largest < TINY_STEP && is_rounding(s);
     }
   }
@@ -142,7 +154,7 @@ static bool continued(struct ph_g2_system *s, double *y,
   for (size_t i = 0; i < CONTINUATIONS_MAX && reached < 1; i++) {
     s->h = fmin(1, reached + step);
     shift(s, y, from, s->h);
-    if (newton(s, CONTINUED_MAX, arena)) {
+    if (newton(s, CONTINUED_MAX, HALVINGS_MAX, arena)) {
       memcpy(y, s->now.y, size);
       from = reached = s->h;
       step *= 1.5;
@@ -202,23 +214,154 @@ static bool any_unknown(const struct ph_g2_system *s) {
   return false;
 }
 
-/* By either start, or by continuation from the second. */
-static bool find(struct ph_g2_system *s, struct ph_arena *arena) {
+/* By either start, or by continuation from the second.
+ * ret  PH_OK | PH_E_NO_CONVERGENCE | PH_E_NO_MEMORY, without a message */
+static enum ph_status find(struct ph_g2_system *s, struct ph_arena *arena) {
   double *y;
-  if (!any_unknown(s)) {
-    return ph_g2_system_evaluate(s, &s->now);
-  }
   ph_g2_system_start(s, false);
-  if (newton(s, NEWTON_MAX, arena)) {
-    return true;
+  if (newton(s, NEWTON_MAX, HALVINGS_MAX, arena)) {
+    return PH_OK;
   }
   ph_g2_system_start(s, true);
-  if (newton(s, NEWTON_MAX, arena)) {
-    return true;
+  if (newton(s, NEWTON_MAX, HALVINGS_MAX, arena)) {
+    return PH_OK;
   }
   y = ph_arena_array(arena, s->chain->nodes_n, sizeof *y);
-  return y && continued(s, y, arena);
+  return !y                       ? PH_E_NO_MEMORY
+         : continued(s, y, arena) ? PH_OK
+                                  : PH_E_NO_CONVERGENCE;
 }
+
+/* ---- blocks ---------------------------------------------------------------
+ */
+
+struct block {
+  enum ph_status status;
+  size_t iterations;
+};
+
+struct blocks {
+  struct ph_g2_system *s;
+  struct block *block;
+};
+
+/* The unknowns of nodes first to first + n - 1, between tangents of s->now. */
+static enum ph_status solve_block(struct ph_g2_system *s, size_t first,
+                                  size_t n, struct ph_arena *arena,
+                                  size_t *iterations) {
+  const struct ph_g2_chain *c = s->chain;
+  const size_t nodes = c->nodes_n, end = first + n;
+  const size_t before = c->closed || first > BESIDE ? BESIDE : first;
+  const size_t after = c->closed || end + BESIDE < nodes ? BESIDE : nodes - end;
+  struct ph_g2_chain part;
+  struct ph_g2_system own = {.chain = &part,
+                             .arena = arena,
+                             .h = 1,
+                             .smooth = {(double)NAN, (double)NAN}};
+  enum ph_status status;
+  if (!ph_g2_system_part(s, (first + nodes - before) % nodes,
+                         before + n + after - 1, arena, &part) ||
+      !alloc_system(&own, arena)) {
+    return PH_E_NO_MEMORY;
+  }
+  ph_g2_system_begin(&own);
+  status = find(&own, arena);
+  if (status == PH_OK) {
+    memcpy(s->now.y + first, own.now.y + before, n * sizeof *own.now.y);
+  }
+  *iterations = own.iterations;
+  return status;
+}
+
+static bool solve_some_blocks(void *context, size_t thread, size_t first,
+                              size_t end) {
+  const struct blocks *b = context;
+  const size_t nodes = b->s->chain->nodes_n;
+  (void)thread;
+  for (size_t i = first; i < end; i++) {
+    struct ph_arena work = ph_arena_beside(b->s->arena);
+    const size_t from = i * BLOCK;
+    b->block[i].status =
+        solve_block(b->s, from, nodes - from < BLOCK ? nodes - from : BLOCK,
+                    &work, &b->block[i].iterations);
+    ph_arena_free(&work);
+  }
+  return true;
+}
+
+/* Marks blocks without a solution, and counts iterations: the most of any.
+ * ret  PH_OK if there are none, or as find */
+static enum ph_status judge_blocks(struct ph_g2_system *s,
+                                   const struct block *block, size_t n) {
+  const struct ph_g2_chain *c = s->chain;
+  enum ph_status status = PH_OK;
+  size_t most = 0;
+  for (size_t i = 0; i < n; i++) {
+    const size_t end = i + 1 < n ? (i + 1) * BLOCK : c->n;
+    most = block[i].iterations > most ? block[i].iterations : most;
+    if (block[i].status != PH_OK) {
+      ph_g2_mark(c, i * BLOCK, end < c->n ? end : c->n, PH_G2_HARD);
+      status = status == PH_E_NO_MEMORY ? status : block[i].status;
+    }
+  }
+  s->iterations += most;
+  return status;
+}
+
+/* Marks the spans beside residuals that are large. */
+static void mark_residuals(const struct ph_g2_system *s) {
+  const struct ph_g2_chain *c = s->chain;
+  for (size_t k = 0; k < c->nodes_n; k++) {
+    if (s->kind[k] != PH_G2_KNOWN &&
+        !(fabs(ph_g2_system_residual(s, &s->now, k)) < HARD * s->now.largest)) {
+      const size_t before = ph_g2_before(c, k);
+      ph_g2_mark(c, before, before + 1, PH_G2_HARD);
+      ph_g2_mark(c, k, k + 1, PH_G2_HARD);
+    }
+  }
+}
+
+/* The same of a long chain, of which intervals are marked. */
+static enum ph_status find_long(struct ph_g2_system *s,
+                                struct ph_arena *arena) {
+  const size_t n = (s->chain->nodes_n + BLOCK - 1) / BLOCK;
+  struct blocks b = {s, ph_arena_array(arena, n, sizeof *b.block)};
+  enum ph_status status;
+  ph_g2_system_start(s, false);
+  if (newton(s, NEWTON_MAX, 0, arena)) {
+    return PH_OK;
+  }
+  if (!b.block) {
+    return PH_E_NO_MEMORY;
+  }
+  ph_g2_system_start(s, false);
+  (void)ph_g2_system_evaluate(s, &s->now); /* the tangents between blocks */
+  ph_team_share(arena, n, BLOCKS_SHARED, 1, solve_some_blocks, &b);
+  status = judge_blocks(s, b.block, n);
+  if (status == PH_OK && !newton(s, NEWTON_MAX, HALVINGS_MAX, arena)) {
+    mark_residuals(s);
+    status = PH_E_NO_CONVERGENCE;
+  }
+  return status;
+}
+
+static enum ph_status find_any(struct ph_g2_system *s, struct ph_arena *arena) {
+  enum ph_status status;
+  if (!any_unknown(s)) {
+    return ph_g2_system_evaluate(s, &s->now) ? PH_OK : PH_E_NO_CONVERGENCE;
+  }
+  if (s->chain->nodes_n > LONG) {
+    return find_long(s, arena);
+  }
+  status = find(s, arena);
+  if (status == PH_E_NO_CONVERGENCE) {
+    ph_g2_mark(s->chain, 0, s->chain->n, PH_G2_HARD);
+  }
+  return status;
+}
+
+/* ---- ends -----------------------------------------------------------------
+ */
 
 /*
  * The angle at an end by which the curvature goes on as it does beside it, from
@@ -251,7 +394,8 @@ static bool smooth_ends(struct ph_g2_system *s, const struct ph_arena *arena) {
     }
   }
   memcpy(s->smooth, smooth, sizeof smooth);
-  return (isnan(smooth[0]) && isnan(smooth[1])) || newton(s, NEWTON_MAX, arena);
+  return (isnan(smooth[0]) && isnan(smooth[1])) ||
+         newton(s, NEWTON_MAX, HALVINGS_MAX, arena);
 }
 
 /* The angles of the chain, from the system of its turns. */
@@ -260,13 +404,19 @@ static enum ph_status solve_system(struct ph_g2_system *s, enum ph_g2_rule rule,
                                    struct ph_g2_solution *solution,
                                    struct ph_diag *diag) {
   const struct ph_g2_chain *chain = s->chain;
+  enum ph_status status;
   ph_g2_system_begin(s);
-  if (!find(s, arena)) {
+  status = find_any(s, arena);
+  if (status == PH_E_NO_MEMORY) {
+    return ph_fail_memory(diag);
+  }
+  if (status != PH_OK) {
     return ph_fail(diag, PH_E_NO_CONVERGENCE, "points",
                    "have no curve that was found, by Newton's method and by "
                    "continuation in the turns");
   }
   if (rule == PH_G2_SMOOTH && !smooth_ends(s, arena)) {
+    ph_g2_mark(chain, 0, chain->n, PH_G2_HARD);
     return ph_fail(diag, PH_E_NO_CONVERGENCE, "ends",
                    "is smooth, for which no curve was found");
   }

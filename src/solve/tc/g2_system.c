@@ -79,6 +79,42 @@ void ph_g2_system_begin(struct ph_g2_system *s) {
   ph_g2_share(s->arena, s->chain->nodes_n, begin_some, s);
 }
 
+/* A node of a part where it ends, with this angle in the sense of the node. */
+static void end_part(struct ph_g2_node *node, double angle) {
+  node->inner = false;
+  node->turn = node->sign < 0 ? -angle : angle;
+}
+
+bool ph_g2_system_part(const struct ph_g2_system *s, size_t first, size_t n,
+                       struct ph_arena *arena, struct ph_g2_chain *part) {
+  const struct ph_g2_chain *c = s->chain;
+  const size_t last = (first + n) % c->nodes_n;
+  *part = *c;
+  part->closed = false;
+  part->n = n;
+  part->nodes_n = n + 1;
+  part->node = ph_arena_array(arena, n + 1, sizeof *part->node);
+  part->span = ph_arena_array(arena, n, sizeof *part->span);
+  if (!part->node || !part->span) {
+    return false;
+  }
+  for (size_t k = 0; k <= n; k++) {
+    part->node[k] = c->node[(first + k) % c->nodes_n];
+  }
+  for (size_t i = 0; i < n; i++) {
+    part->span[i] = c->span[(first + i) % c->n];
+  }
+  if (c->node[first].inner) {
+    part->given[0] = true;
+    end_part(&part->node[0], s->now.after[first]);
+  }
+  if (c->node[last].inner) {
+    part->given[1] = true;
+    end_part(&part->node[n], s->now.before[last]);
+  }
+  return true;
+}
+
 /* ---- starts ---------------------------------------------------------------
  */
 
