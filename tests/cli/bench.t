@@ -14,7 +14,7 @@ echo '  ours    -n 5   0.20    1.00'
 echo '  theirs         0.60    3.00'
 echo 'The end of the benchmarks.'
 END
-cat >tree/README <<'END'
+cat >tree/bench/README <<'END'
 Other
 -----
   theirs         0.10    0.10
@@ -46,10 +46,10 @@ Rows
 equal 'README quotes it, in its section' '  theirs         0.10    0.10
   theirs         0.60    3.00
   ours    -n 5   0.20    1.00
-  theirs         0.10    0.10' "$(grep '^  ' tree/README)"
-sed 's/0.60/0.70/' tree/README >other
+  theirs         0.10    0.10' "$(grep '^  ' tree/bench/README)"
+sed 's/0.60/0.70/' tree/bench/README >other
 true_that 'what is quoted is found' sh tree/bench/quote tree/bench/RESULTS.md \
-  tree/README check
+  tree/bench/README check
 equal 'what is not is told' 1 "$(sh tree/bench/quote tree/bench/RESULTS.md \
   other check >differs; echo $?)"
 cp tree/bench/RESULTS.md before

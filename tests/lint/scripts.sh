@@ -14,7 +14,7 @@ fi
 
 list() {
   find tests bench data .ci -type f \( -name '*.sh' -o -name '*.t' \
-    -o -path 'bench/*' ! -name '*.*' \) 2>/dev/null
+    -o -path 'bench/*' ! -name '*.*' ! -name README \) 2>/dev/null
   find .ci -type f ! -name '*.awk'
 }
 
