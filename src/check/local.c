@@ -3,6 +3,7 @@
 #include "check/local.h"
 
 #include "check/checks.h"
+#include "check/dips.h"
 #include "check/kind.h"
 #include "check/spherical.h"
 #include "kernel/pi.h"
@@ -302,10 +303,60 @@ ph_vec3 ph_check_across(const struct ph_check_path *path, double u) {
 
 /* ---- length ------------------------------------------------------------- */
 
+/* Coefficients of a preimage are rounded, and so are products of them. */
+static const double PREIMAGE = 8 * DBL_EPSILON;
+
+/* Whether there is a preimage w of a plane curve: where it is slow, r' = w^2 is
+ * rounding of the control points before w is. */
+static bool has_root(const struct ph_check_path *path) {
+  return path->v->curve->dimension == 2 && path->v->curve->preimage.v;
+}
+
+/* A number, and by how much it may be off. */
+struct known {
+  double value, error;
+};
+
+/* The speed | |w|^2 - d theta' |, theta' = 2 w x w' / |w|^2. */
+static struct known speed_by_root(const struct ph_check_path *path, double u) {
+  ph_quat w[N];
+  double noise = PREIMAGE * sqrt(path->s->speed), size, rate, turn;
+  preimage_at(path, u, w);
+  size = sqrt(ph_quat_dot(w[0], w[0]));
+  rate = sqrt(ph_quat_dot(w[1], w[1])) / size;
+  turn = 2 * (w[0].u * w[1].q - w[0].q * w[1].u) / (size * size);
+  return (struct known){
+      fabs(size * size - path->distance * turn),
+      2 * noise * (size + fabs(path->distance) * (2 * rate + NEXT) / size)};
+}
+
+/* Of the control points and the preimage, what knows it better. */
 static void speed_at(const void *context, double u, double *value) {
-  struct ph_check_local local = ph_check_local_at(context, u);
-  value[0] = local.speed;
-  value[1] = local.speed_error;
+  const struct ph_check_path *path = context;
+  const struct ph_check_local local = ph_check_local_at(path, u);
+  struct known speed = {local.speed, local.speed_error};
+  if (has_root(path)) {
+    struct known by_root = speed_by_root(path, u);
+    speed = by_root.error < speed.error ? by_root : speed;
+  }
+  value[0] = speed.value;
+  value[1] = speed.error;
+}
+
+/* Whether the curve has a direction at u, as far as that is known. */
+static bool has_direction(const struct ph_check_path *path, double u) {
+  struct ph_check_path curve = *path;
+  ph_quat w[N];
+  curve.distance = 0;
+  if (ph_check_local_at(&curve, u).tangent_error < PH_CHECK_NO_DIRECTION) {
+    return true;
+  }
+  if (!has_root(path)) {
+    return false;
+  }
+  preimage_at(path, u, w);
+  return PREIMAGE * sqrt(path->s->speed) <
+         PH_CHECK_NO_DIRECTION * sqrt(ph_quat_dot(w[0], w[0]));
 }
 
 /* The integral over [from,to], where there is no cusp.  Where the curve all but
@@ -316,15 +367,11 @@ static double between_cusps(const struct ph_check_path *path, double from,
                                          1,        path->s->noise, LENGTH};
   const double far =
       fabs(path->distance) * (path->v->kind->sphere ? path->s->radius : 1);
-  struct ph_check_path curve = *path;
   double sum[2];
-  curve.distance = 0;
   ph_check_integral(&path->v->rule, &of, from, to, sum);
   *error += isfinite(sum[1]) ? sum[1] : path->v->scale.size;
   for (int end = 0; end < 2; end++) {
-    const struct ph_check_local local =
-        ph_check_local_at(&curve, end ? to : from);
-    if (!(local.tangent_error < PH_CHECK_NO_DIRECTION)) {
+    if (!has_direction(path, end ? to : from)) {
       *error += PH_PI * far;
     }
   }
@@ -348,7 +395,41 @@ static size_t cusp_after(const struct ph_check_path *path, double u) {
   return low;
 }
 
-double ph_check_path_length(const struct ph_check_path *path, double from,
+/* Steps of Newton's method to where |w| is least, and how far they may lead. */
+enum { STEPS = 4 };
+static const double SLOWEST = 1e-4;
+
+struct ph_check_dips ph_check_path_slow(const struct ph_check_path *path) {
+  struct ph_check_dips slow = ph_check_slow_of(path->s);
+  for (size_t i = 0; i < slow.n && has_root(path); i++) {
+    ph_quat a[N];
+    double u = slow.x[i];
+    for (int step = 0; step < STEPS; step++) {
+      preimage_at(path, u, a);
+      u -= ph_quat_dot(a[0], a[1]) / ph_quat_dot(a[1], a[1]);
+    }
+    slow.x[i] = fabs(u - slow.x[i]) < SLOWEST ? u : slow.x[i];
+  }
+  return slow;
+}
+
+/* The integral over [from,to], where there is no cusp, from one place where the
+ * curve all but stands still to the next: the offset turns there. */
+static double from_dip_to_dip(const struct ph_check_path *path,
+                              const struct ph_check_dips *slow, double from,
+                              double to, double *error) {
+  double length = 0;
+  for (size_t i = 0; i < slow->n; i++) {
+    if (slow->x[i] > from && slow->x[i] < to) {
+      length += between_cusps(path, from, slow->x[i], error);
+      from = slow->x[i];
+    }
+  }
+  return length + between_cusps(path, from, to, error);
+}
+
+double ph_check_path_length(const struct ph_check_path *path,
+                            const struct ph_check_dips *slow, double from,
                             double to, double *error) {
   const struct ph_cusps *cusps = path->cusps;
   double length = 0;
@@ -361,9 +442,9 @@ double ph_check_path_length(const struct ph_check_path *path, double from,
        i++) {
     double u = cusps->at[i].t / path->s->unit;
     if (u > from) { /* in order, as they should be */
-      length += between_cusps(path, from, u, error);
+      length += from_dip_to_dip(path, slow, from, u, error);
       from = u;
     }
   }
-  return length + between_cusps(path, from, to, error);
+  return length + from_dip_to_dip(path, slow, from, to, error);
 }

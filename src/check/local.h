@@ -19,7 +19,7 @@
 #ifndef PH_CHECK_LOCAL_H
 #define PH_CHECK_LOCAL_H
 
-#include "check/segment.h"
+#include "check/dips.h"
 
 /* What is looked at: a segment, or the offset of it.  The length of an offset
  * is integrated from cusp to cusp: two of them may be nearer to each other than
@@ -59,13 +59,21 @@ struct ph_check_local ph_check_great_local(const struct ph_check_path *path,
 /* ph_check_across: e. */
 ph_vec3 ph_check_across(const struct ph_check_path *path, double u);
 
+/* ph_check_path_slow: where the curve of an offset all but stands still, as
+ * exactly as its preimage knows it: control points do to the root of their
+ * rounding, and the curve may turn in less. */
+struct ph_check_dips ph_check_path_slow(const struct ph_check_path *path);
+
 /*
  * ph_check_path_length: the length of the path between two places, NaN where
  * it is not found; as ph_check_length_of.
  *
+ * in    slow   ph_check_path_slow, of offsets: each place may be an end of a
+ *              short turn, which is not seen from elsewhere
  * inout error  grows by how much that of an offset is uncertain
  */
-double ph_check_path_length(const struct ph_check_path *path, double from,
+double ph_check_path_length(const struct ph_check_path *path,
+                            const struct ph_check_dips *slow, double from,
                             double to, double *error);
 
 #endif

@@ -25,6 +25,7 @@ struct walk {
   const struct ph_samples *of;
   struct ph_check_path path;
   struct ph_check_segment segment;
+  struct ph_check_dips slow; /* of an offset */
   struct ph_check_framing framing;
   size_t k;    /* the segment, of which */
   double u, s; /* a place and the arc length from its start are known */
@@ -44,10 +45,10 @@ static struct ph_check_where in(size_t i, const char *member) {
 /* Goes to the next segment. */
 static void next_segment(struct walk *w) {
   if (w->k < w->v->curve->n) {
-    double rest =
-        fabs(w->path.distance) > 0
-            ? w->s + ph_check_path_length(&w->path, w->u, 1, &w->error)
-            : w->v->length[w->k];
+    double rest = fabs(w->path.distance) > 0
+                      ? w->s + ph_check_path_length(&w->path, &w->slow, w->u, 1,
+                                                    &w->error)
+                      : w->v->length[w->k];
     ph_sum_add(&w->before, rest);
     w->error += w->v->noise[w->k] + w->each;
     ph_check_frame_leave(&w->framing, &w->path);
@@ -58,12 +59,15 @@ static void next_segment(struct walk *w) {
   w->u = w->s = 0;
   if (w->k < w->v->curve->n) {
     ph_check_load(w->v, w->k, &w->segment);
+    if (fabs(w->path.distance) > 0) {
+      w->slow = ph_check_path_slow(&w->path);
+    }
   }
 }
 
 /* The arc length at u of the segment, from the start of all. */
 static double length_at(struct walk *w, double u) {
-  w->s += ph_check_path_length(&w->path, w->u, u, &w->error);
+  w->s += ph_check_path_length(&w->path, &w->slow, w->u, u, &w->error);
   w->u = u;
   return ph_sum_value(&w->before) + w->s;
 }

@@ -305,6 +305,21 @@ echo '{"points":[[0,-8e183,0],[-1.98e185,-5.5e183,4.4e184],
 made spatial-hermite --offset=0 <back
 verified 'a cusp where the curve all but stands still' 1 --problems=back
 
+# an offset turns by 2 pi where its curve is 4e-19 as fast as elsewhere, which
+# its preimage knows and its control points do not
+echo '{"points":[[0,0],[1.0920653006e-6,-1.6866178275e-6],[3e-6,-5e-6]],
+  "tangents":[[0.543505362,-0.8394056954],[0.54350536,-0.8394057],[0,-0.8]],
+  "mode":"g1"}' >turn
+made tc --offset=-6e-13 --sample=2 <turn
+verified 'an offset that turns where its curve is slow' 1 --problems=turn
+for s in 200930571611 200930171752 200929995690; do
+  sed "s/\"s\":0.00000200930372681542[0-9]*/\"s\":0.00000$s/g" r >tampered
+  run verify tampered
+  equal "a length of it, off by 1e-6: $s" \
+    '1 "not-verified" "offsets[0].samples[2].s"' \
+    "$status $(get error.code) $(get error.field)"
+done
+
 # energies that have a peak where the curve nearly stops within a segment
 echo '{"points":[[0,0],[-0.77,0],[-2.6,0.1],[-4.48,0.1735],[-6.17,0.24],
   [-7.473,0.2897]],"knots":"uniform","end_derivatives":[[-1.3,0.05],
