@@ -340,6 +340,20 @@ static void functional(const struct ph_curve *curve, size_t intervals,
 /* ---- speed and curvature at places ----------------------------------------
  */
 
+/* By how much the curvature at t is off, at most, where rounding moves each
+ * coefficient of the preimage by a part of the largest:
+ *   |dw| <= e, |dw'| <= 2 (n - 1) e, kappa = 2 Im(w* w') / sigma^2 */
+static real loose(const struct segment *s, real t, real sigma, real kappa) {
+  real w[3][4], e = 0, size = sqrtl(sigma), rate;
+  jet(s, t, w);
+  rate = sqrtl(dot(w[1], w[1], s->dimension));
+  for (size_t i = 0; i < s->n; i++) {
+    e = fmaxl(e, ROUNDING * sqrtl(dot(s->a[i], s->a[i], s->dimension)));
+  }
+  return 2 * e * (rate + 2 * (real)(s->n - 1) * size) / (sigma * sigma) +
+         4 * fabsl(kappa) * e / size;
+}
+
 static void extremes(const struct ph_curve *curve,
                      const struct ph_diagnostics *d,
                      struct gate_outcome *outcome) {
@@ -350,9 +364,10 @@ static void extremes(const struct ph_curve *curve,
     for (int i = 0; i <= PLACES; i++) {
       real sigma, kappa, slope;
       bend(&s, s.end * i / PLACES, &sigma, &kappa, &slope);
+      kappa = fabsl(kappa) - loose(&s, s.end * i / PLACES, sigma, kappa);
+      most = kappa > most ? kappa : most;
       sigma /= (real)curve->knots[k + 1] - curve->knots[k];
       least = sigma < least ? sigma : least;
-      most = fabsl(kappa) > most ? fabsl(kappa) : most;
     }
   }
   least *= ((real)curve->knots[curve->n] - curve->knots[0]) / curve->length;
