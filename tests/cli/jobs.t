@@ -138,6 +138,12 @@ for jobs in 1 8; do
     'phspline: there is no problem in standard input' ''
 done
 
+# a spline with a place that is hard, which is solved in blocks
+walk 4 $((lines * 5)) >walk.csv
+method=tc
+same 'a long walk' 0 walk.csv
+method=planar
+
 # ---- points in space ---------------------------------------------------------
 
 # Each kind of problem that has code of its own: criteria, the search for a

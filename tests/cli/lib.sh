@@ -197,6 +197,22 @@ bad='{"points":[[0,0],[0,0]]}'
 joins='; --merge=D joins points nearer than D'
 bad_says="points[1]: coincides with points[0]$joins [coincident-points]"
 
+# walk SEED N: the first N points of a walk with sharp and with slight turns, as
+# CSV.
+walk() {
+  awk -v seed="$1" -v n="$2" 'BEGIN {
+    for (i = 0; i < n; i++) {
+      turn = -1.8
+      for (k = 0; k < 12; k++) {
+        seed = (seed * 16807) % 2147483647
+        turn += .3 * seed / 2147483647
+      }
+      a += turn
+      printf "%.6f,%.6f\n", x += cos(a), y += sin(a)
+    }
+  }'
+}
+
 # failed N M: the last line on standard error.
 failed() {
   printf 'phspline: %s of %s records failed' "$1" "$2"

@@ -265,25 +265,9 @@ true_that 'beside inflections the third order' awk '{
 
 # ---- long data -----------------------------------------------------------------
 
-# walk N: points of a walk of sharp and of slight turns, the same for any N
-walk() {
-  awk -v n="$1" 'BEGIN {
-    s = 4
-    for (i = 0; i < n; i++) {
-      g = 0
-      for (k = 0; k < 12; k++) {
-        s = (s * 16807) % 2147483647
-        g += s / 2147483647
-      }
-      a += .3 * (g - 6)
-      printf "%.6f,%.6f\n", x += cos(a), y += sin(a)
-    }
-  }'
-}
-
 # one place is hard for Newton's method: it neither slows down nor changes others
-walk 20000 >long.csv
-walk 2000 >short.csv
+walk 4 20000 >long.csv
+walk 4 2000 >short.csv
 run tc -q --fields=diagnostics.iterations,warnings,intervals long.csv
 equal 'a long walk is one spline' '["ok",["g1-joints"],true]' \
   "$(jq -c '[.status, [.warnings[].code], .diagnostics.iterations < 100]' out)"
