@@ -12,7 +12,7 @@
 #include "check/note.h"
 #include "check/tc_check.h"
 #include "check/tc_distance.h"
-#include "kernel/bern.h"
+#include "kernel/bern_low.h"
 
 #include <float.h>
 #include <math.h>
@@ -47,7 +47,6 @@ struct context {
   struct piece piece;   /* number `at` */
   size_t at;
   size_t farthest; /* the cubic with the largest distance */
-  double *basis;
 };
 
 /* A place on the curve. */
@@ -88,17 +87,8 @@ static void next_piece(struct context *x) {
     piece->second =
         ph_check_larger(piece->second, (double)(n - 1) * ph_cplx_abs(second));
   }
+  ph_check_distance_curve(&x->distance, piece->p, n);
   x->next += n + 1;
-}
-
-static ph_cplx value(const struct context *x, const ph_cplx *c, size_t degree,
-                     double t) {
-  ph_cplx sum = {0, 0};
-  ph_bern_basis(degree, t, x->basis);
-  for (size_t i = 0; i <= degree; i++) {
-    sum = ph_cplx_add(sum, ph_cplx_scale(x->basis[i], c[i]));
-  }
-  return sum;
 }
 
 /* At a local parameter; errors are those of the knot and of evaluation. */
@@ -108,8 +98,8 @@ static struct place place_of(const struct context *x, double t) {
   double rounding = 2 * DBL_EPSILON * (double)(piece->degree + 1);
   struct place place;
   double speed;
-  place.point = value(x, piece->p, piece->degree, t);
-  place.derivative = value(x, piece->leg, piece->degree - 1, t);
+  place.point = ph_bern_value(piece->p, piece->degree, t);
+  place.derivative = ph_bern_value(piece->leg, piece->degree - 1, t);
   place.error = knot * piece->speed + rounding * piece->reach;
   speed = ph_cplx_abs(place.derivative);
   place.turned = (knot * piece->second + rounding * piece->speed) / speed;
@@ -222,7 +212,7 @@ static void add_distance(struct context *x, const struct ph_tc_cubic *s,
   for (size_t i = 0; i < 4; i++) {
     p[i] = ph_cplx_sub(s->p[i], x->piece.origin);
   }
-  ph_check_distance_add(&x->distance, x->piece.p, x->piece.degree, from, to, p);
+  ph_check_distance_add(&x->distance, from, to, p);
   if (!(x->distance.bound <= before)) {
     x->farthest = k;
   }
@@ -363,8 +353,7 @@ static enum ph_status begin(struct context *x, const struct ph_problem *problem,
   }
   x->piece.p = ph_arena_array(scratch, most, sizeof *x->piece.p);
   x->piece.leg = ph_arena_array(scratch, most, sizeof *x->piece.leg);
-  x->basis = ph_arena_array(scratch, most, sizeof *x->basis);
-  return x->piece.p && x->piece.leg && x->basis &&
+  return x->piece.p && x->piece.leg &&
                  ph_check_distance_begin(&x->distance, scratch, most,
                                          allowed_at_unit(&x->c, allowed))
              ? PH_OK

@@ -28,6 +28,10 @@ static const double EDGE = 1.0 / 16;
 /* A bound within this of a distance that there is is good. */
 static const double GOOD = 1.05;
 
+/* What a part of a low degree may be off the curve, over a distance that there
+ * is. */
+static const double LOST = 1e-3;
+
 /* Rounding of a difference, in eps of the largest coordinate: of cuts, 1.5 for
  * each degree and each of DEPTH + 2 of them, of raising, and of composing. */
 static const double NOISE_BY_DEGREE = 24, NOISE = 24;
@@ -327,18 +331,39 @@ static double noise_of(const ph_cplx *curve, size_t degree,
   return (NOISE_BY_DEGREE * (double)degree + NOISE) * DBL_EPSILON * reach;
 }
 
-void ph_check_distance_add(struct ph_check_distance *d, const ph_cplx *curve,
-                           size_t degree, double from, double to,
-                           const ph_cplx cubic[4]) {
-  double bound = HUGE_VAL;
-  struct part whole = {
-      .c = room_of(d, 0), .degree = degree, .cubic = cubic, .from = 0, .to = 1};
+/* The part of the curve that a cubic stands for, of a low degree where that
+ * loses little.  ret  how much */
+static double part_of(const struct ph_check_distance *d, double from, double to,
+                      struct part *part) {
+  const ph_cplx *curve = d->low.c;
+  size_t degree = d->low.degree;
+  double lost;
+  if (ph_bern_low_part(&d->low, from, to, LOST * d->sampled, part->c, &lost)) {
+    part->degree = PH_BERN_LOW;
+    return lost;
+  }
+  part->degree = degree;
   ph_bern_cut(curve, degree, to, room_of(d, 1), room_of(d, 2));
   ph_bern_cut(room_of(d, 1), degree, to > 0 ? from / to : 0, room_of(d, 2),
-              whole.c);
+              part->c);
+  return 0;
+}
+
+void ph_check_distance_curve(struct ph_check_distance *d, const ph_cplx *curve,
+                             size_t degree) {
+  ph_bern_low_of(&d->low, curve, degree, d->room);
+}
+
+void ph_check_distance_add(struct ph_check_distance *d, double from, double to,
+                           const ph_cplx cubic[4]) {
+  const ph_cplx *curve = d->low.c;
+  size_t degree = d->low.degree;
+  double bound = HUGE_VAL, lost;
+  struct part whole = {.c = room_of(d, 0), .cubic = cubic, .from = 0, .to = 1};
+  lost = part_of(d, from, to, &whole);
   d->noise = ph_check_larger(d->noise, noise_of(curve, degree, cubic));
   sample(d, &whole, 0, whole.c[0]);
-  sample(d, &whole, 1, whole.c[degree]);
+  sample(d, &whole, 1, whole.c[whole.degree]);
   for (size_t i = 0; i < sizeof WAYS / sizeof WAYS[0] &&
                      (i == 0 || !(bound <= d->allowed + d->noise));
        i++) {
@@ -346,6 +371,7 @@ void ph_check_distance_add(struct ph_check_distance *d, const ph_cplx *curve,
     d->parts = 0;
     bound = ph_check_smaller(bound, bound_part(d, &whole, d->bound, 0));
   }
+  bound += lost;
   if (ph_check_is_larger(bound, d->bound)) {
     d->bound = bound;
   }

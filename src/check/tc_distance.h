@@ -27,7 +27,7 @@
 #define PH_CHECK_TC_DISTANCE_H
 
 #include "base/mem.h"
-#include "kernel/cplx.h"
+#include "kernel/bern_low.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -41,6 +41,7 @@ struct ph_check_distance {
   double sampled; /* the largest distance of points that were matched */
   double noise;   /* what rounding may add to a bound, at most so far */
   size_t parts;   /* of the last cubic */
+  struct ph_bern_low low;
 };
 
 /*
@@ -55,15 +56,21 @@ bool ph_check_distance_begin(struct ph_check_distance *d,
                              double allowed);
 
 /*
- * ph_check_distance_add: one more cubic, for the part [from,to] of a curve. The
- * bound is within some percent of the largest distance of points that were
+ * ph_check_distance_curve: the curve that the next cubics stand for.
+ *
+ * in   curve[degree + 1]  at unit scale; not copied
+ */
+void ph_check_distance_curve(struct ph_check_distance *d, const ph_cplx *curve,
+                             size_t degree);
+
+/*
+ * ph_check_distance_add: one more cubic, for the part [from,to] of the curve.
+ * The bound is within some percent of the largest distance of points that were
  * matched, and within `allowed` if that is possible with a few hundred parts.
  *
- * in   curve[degree + 1]  at unit scale
- * in   from, to           0 <= from <= to <= 1
+ * in   from, to  0 <= from <= to <= 1
  */
-void ph_check_distance_add(struct ph_check_distance *d, const ph_cplx *curve,
-                           size_t degree, double from, double to,
+void ph_check_distance_add(struct ph_check_distance *d, double from, double to,
                            const ph_cplx cubic[4]);
 
 #endif

@@ -6,6 +6,7 @@
 #include "base/diag.h"
 #include "base/mem.h"
 #include "curve/segment/tc.h"
+#include "kernel/bern_low.h"
 
 #include <math.h>
 #include <stddef.h>
@@ -93,6 +94,7 @@ struct ph_tc_target {
   ph_cplx *cut;   /* [degree + 1] its second half for pairs, */
   ph_cplx *spare; /* [degree + 1] */
   ph_cplx *pool;  /* and the parts of the matching */
+  struct ph_bern_low low;
 };
 
 /* ph_tc_target_room: points of room for a curve of this degree, or less. */

@@ -46,6 +46,7 @@ struct ph_tc_target ph_tc_target_of(const struct ph_tc_bezier *curve,
                                 .cut = room + (n + 1),
                                 .spare = room + 2 * (n + 1),
                                 .pool = room + 3 * (n + 1)};
+  ph_bern_low_of(&target.low, curve->p, n, target.part);
   for (size_t k = 0; k <= n; k++) {
     double a = ph_cplx_abs(curve->p[k]);
     double d =
@@ -87,10 +88,15 @@ static ph_cplx limit(const struct ph_tc_target *t, bool last) {
 struct ph_tc_knot ph_tc_knot_at(const struct ph_tc_target *t, double u) {
   struct ph_tc_knot knot = {.u = u};
   size_t n = t->degree;
-  ph_bern_cut(t->p, n, u, t->cut, t->spare);
-  knot.p = t->spare[0];
-  knot.derivative =
-      ph_cplx_scale((double)n, ph_cplx_sub(t->spare[1], t->cut[n - 1]));
+  if (n < PH_BERN_HIGH) {
+    ph_bern_cut(t->p, n, u, t->cut, t->spare);
+    knot.p = t->spare[0];
+    knot.derivative =
+        ph_cplx_scale((double)n, ph_cplx_sub(t->spare[1], t->cut[n - 1]));
+  } else {
+    knot.p = ph_bern_value(t->p, n, u);
+    knot.derivative = ph_bern_slope(t->p, n, u);
+  }
   if (ph_cplx_abs(knot.derivative) > t->still) {
     knot.tangent = unit(knot.derivative);
   } else if (u <= 0 || u >= 1) {
@@ -99,23 +105,43 @@ struct ph_tc_knot ph_tc_knot_at(const struct ph_tc_target *t, double u) {
   return knot;
 }
 
-/* The part between two knots, to t->part. */
-static void part_of(const struct ph_tc_target *t, const struct ph_tc_knot *from,
-                    const struct ph_tc_knot *to) {
+/* How far what stands for a part may be from it, over the tolerance. */
+static const double LOST = 1e-3;
+
+/* The part of a curve in work, or a half of it. */
+struct part {
+  const struct ph_tc_target *t;
+  const ph_cplx *p; /* [degree + 1] */
+  size_t degree;
+  double lost; /* how far it may be from the curve itself */
+};
+
+/* The part between two knots, in t->part: of a low degree where that does. */
+static struct part part_of(const struct ph_tc_target *t,
+                           const struct ph_tc_knot *from,
+                           const struct ph_tc_knot *to, double tolerance) {
+  struct part part = {.t = t, .p = t->part, .degree = PH_BERN_LOW, .lost = 0};
   size_t n = t->degree;
+  if (ph_bern_low_part(&t->low, from->u, to->u, LOST * tolerance, t->part,
+                       &part.lost)) {
+    return part;
+  }
+  part.degree = n;
+  part.lost = 0;
   ph_bern_cut(t->p, n, to->u, t->cut, t->spare);
   ph_bern_cut(t->cut, n, from->u / to->u, t->spare, t->part);
   t->part[0] = from->p;
   t->part[n] = to->p;
+  return part;
 }
 
-static double distance_of(const struct ph_tc_target *t, const struct ph_tc *tc,
-                          ph_cplx start, ph_cplx end, const ph_cplx *part,
-                          double enough) {
-  struct ph_tc_match m = {.q = part};
+static double distance_of(const struct part *part, const struct ph_tc *tc,
+                          ph_cplx start, ph_cplx end, double enough) {
+  const struct ph_tc_target *t = part->t;
+  struct ph_tc_match m = {.q = part->p};
   ph_tc_control_points(tc, start, end, m.c);
-  return ph_tc_match_distance(&m, t->degree, t->same, enough, t->pool) +
-         t->noise;
+  return ph_tc_match_distance(&m, part->degree, t->same, enough, t->pool) +
+         part->lost + t->noise;
 }
 
 static struct ph_tc turned(const struct ph_tc *tc, ph_cplx f) {
@@ -123,7 +149,7 @@ static struct ph_tc turned(const struct ph_tc *tc, ph_cplx f) {
   return out;
 }
 
-static void try_one(const struct ph_tc_target *t, const struct ph_tc_knot *from,
+static void try_one(const struct part *part, const struct ph_tc_knot *from,
                     const struct ph_tc_knot *to, double enough,
                     struct ph_tc_patch *best) {
   ph_cplx chord = ph_cplx_sub(to->p, from->p);
@@ -141,7 +167,7 @@ static void try_one(const struct ph_tc_target *t, const struct ph_tc_knot *from,
           b >= EVEN * a)) {
       continue;
     }
-    distance = distance_of(t, &tc, from->p, to->p, t->part, enough);
+    distance = distance_of(part, &tc, from->p, to->p, enough);
     if (distance < best->distance && (blunt || distance <= SURE * length)) {
       best->n = 1;
       best->distance = distance;
@@ -159,9 +185,11 @@ static ph_cplx derivative_at(const struct ph_tc_knot *knot, double h,
   return ph_tc_snap(ph_cplx_scale(size, ph_cplx_mul(along, knot->tangent)));
 }
 
-static void try_pair(const struct ph_tc_target *t,
-                     const struct ph_tc_knot *from, const struct ph_tc_knot *to,
-                     double enough, struct ph_tc_patch *best) {
+static void try_pair(const struct part *part, const struct ph_tc_knot *from,
+                     const struct ph_tc_knot *to, double enough,
+                     struct ph_tc_patch *best) {
+  const struct ph_tc_target *t = part->t;
+  struct part half[2] = {*part, *part};
   ph_cplx chord = ph_cplx_sub(to->p, from->p), f = ph_cplx_sqrt(chord);
   double length = ph_cplx_abs(chord), h = (to->u - from->u) / 2;
   ph_cplx along = ph_cplx_scale(1 / length, ph_cplx_conj(chord));
@@ -176,10 +204,12 @@ static void try_pair(const struct ph_tc_target *t,
   patch.tc[1] = turned(&fit.tc[1], f);
   patch.joint = ph_cplx_add(from->p, ph_tc_leg(&patch.tc[0]));
   patch.at = from->u + h;
-  ph_bern_cut(t->part, t->degree, 0.5, t->cut, t->spare);
+  half[0].p = t->cut;
+  half[1].p = t->spare;
+  ph_bern_cut(part->p, part->degree, 0.5, t->cut, t->spare);
   patch.distance =
-      fmax(distance_of(t, &patch.tc[0], from->p, patch.joint, t->cut, enough),
-           distance_of(t, &patch.tc[1], patch.joint, to->p, t->spare, enough));
+      fmax(distance_of(&half[0], &patch.tc[0], from->p, patch.joint, enough),
+           distance_of(&half[1], &patch.tc[1], patch.joint, to->p, enough));
   if (patch.distance < best->distance) {
     *best = patch;
   }
@@ -190,6 +220,7 @@ struct ph_tc_patch ph_tc_patch_of(const struct ph_tc_target *target,
                                   const struct ph_tc_knot *to,
                                   enum ph_tc_kind kind, double tolerance) {
   struct ph_tc_patch best = {.n = 0, .distance = (double)INFINITY};
+  struct part part;
   double enough = 4 * tolerance;
   double length = ph_cplx_abs(ph_cplx_sub(to->p, from->p));
   bool turns =
@@ -197,11 +228,11 @@ struct ph_tc_patch ph_tc_patch_of(const struct ph_tc_target *target,
   if (!(length > ph_tc_shortest(target, tolerance)) || !turns) {
     return best;
   }
-  part_of(target, from, to);
-  try_one(target, from, to, enough, &best);
+  part = part_of(target, from, to, tolerance);
+  try_one(&part, from, to, enough, &best);
   if (best.n == 0 ||
       (kind == PH_TC_ONE_OR_PAIR && !(best.distance <= tolerance))) {
-    try_pair(target, from, to, enough, &best);
+    try_pair(&part, from, to, enough, &best);
   }
   return best;
 }

@@ -11,6 +11,7 @@
 #include "solve/tc/approx.h"
 
 #include "kernel/bern.h"
+#include "kernel/bern_low.h"
 
 #include <float.h>
 #include <math.h>
@@ -461,14 +462,16 @@ static int end_sign(const struct search *s, const ph_cplx *c, bool last) {
   return 0;
 }
 
-static bool has_change(const struct search *s, const ph_cplx *c) {
+static size_t changes_of(const struct search *s, const ph_cplx *c) {
   int sign = end_sign(s, c, false);
+  size_t n = 0;
   for (size_t k = 0; k <= s->degree; k++) {
     if (sign * sign_of(s, c[k]) < 0) {
-      return true;
+      sign = -sign;
+      n++;
     }
   }
-  return false;
+  return n;
 }
 
 static void found(struct search *s, double u) {
@@ -477,12 +480,28 @@ static void found(struct search *s, double u) {
   }
 }
 
+/* The only root of an interval, by halving it as the search does: the middle of
+ * the last one, or of the first whose middle is 0 to rounding. */
+static double root_of(const struct search *s, int before, double from,
+                      double to, int depth) {
+  for (; depth < LEVELS; depth++) {
+    double middle = (from + to) / 2;
+    int sign = sign_of(s, ph_bern_value(s->pool, s->degree, middle));
+    if (sign == 0) {
+      return middle;
+    }
+    *(sign == before ? &from : &to) = middle;
+  }
+  return (from + to) / 2;
+}
+
 static void look(struct search *s, const ph_cplx *c, double from, double to,
                  int depth) {
   ph_cplx *left = s->pool + (2 * (size_t)depth + 1) * (s->degree + 1);
   ph_cplx *right = left + (s->degree + 1);
   double middle = (from + to) / 2;
-  if (!has_change(s, c) || s->visits == 0 || ph_arena_late(s->arena)) {
+  size_t changes = changes_of(s, c);
+  if (changes == 0 || s->visits == 0 || ph_arena_late(s->arena)) {
     return;
   }
   s->visits--;
@@ -490,6 +509,10 @@ static void look(struct search *s, const ph_cplx *c, double from, double to,
     if (end_sign(s, c, false) != end_sign(s, c, true)) {
       found(s, middle);
     }
+    return;
+  }
+  if (changes == 1 && s->degree >= PH_BERN_HIGH) {
+    found(s, root_of(s, end_sign(s, c, false), from, to, depth));
     return;
   }
   ph_bern_cut(c, s->degree, 0.5, left, right);

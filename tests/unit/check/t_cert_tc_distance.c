@@ -19,7 +19,8 @@ static void begin(double allowed) {
 static double bound_of(const ph_cplx *curve, size_t degree,
                        const ph_cplx cubic[4]) {
   begin(HUGE_VAL);
-  ph_check_distance_add(&d, curve, degree, 0, 1, cubic);
+  ph_check_distance_curve(&d, curve, degree);
+  ph_check_distance_add(&d, 0, 1, cubic);
   return d.bound;
 }
 
@@ -134,7 +135,8 @@ PH_TEST(test_known) {
     ck_assert_double_le(found, 1.06 * height + 1e-13);
     /* a part of it, where the largest value is not */
     begin(HUGE_VAL);
-    ph_check_distance_add(&d, curve, 5, 0, 1, cubic);
+    ph_check_distance_curve(&d, curve, 5);
+    ph_check_distance_add(&d, 0, 1, cubic);
     ck_rel(d.bound, found, 0);
   }
 }
@@ -206,21 +208,26 @@ PH_TEST(test_parts) {
   cubic[1] = bezier(curve, 7, .5 + .1 / 3);
   cubic[2] = bezier(curve, 7, .6 - .1 / 3);
   begin(HUGE_VAL);
-  ph_check_distance_add(&d, curve, 7, .5, .6, cubic);
+  ph_check_distance_curve(&d, curve, 7);
+  ph_check_distance_add(&d, .5, .6, cubic);
   ck_assert_double_le(d.bound, .01);
   memcpy(moved, cubic, sizeof moved);
   for (size_t k = 0; k < 4; k++) {
     moved[k].im += .1;
   }
-  ph_check_distance_add(&d, curve, 7, .5, .6, moved);
+  ph_check_distance_curve(&d, curve, 7);
+  ph_check_distance_add(&d, .5, .6, moved);
   ck_assert_double_ge(d.bound, .09);
-  ph_check_distance_add(&d, curve, 7, .5, .6, cubic);
+  ph_check_distance_curve(&d, curve, 7);
+  ph_check_distance_add(&d, .5, .6, cubic);
   ck_assert_double_ge(d.bound, .09);
   begin(HUGE_VAL);
-  ph_check_distance_add(&d, curve, 7, .4, .5, cubic);
+  ph_check_distance_curve(&d, curve, 7);
+  ph_check_distance_add(&d, .4, .5, cubic);
   ck_assert_double_ge(d.bound, .5);
   begin(HUGE_VAL);
-  ph_check_distance_add(&d, curve, 7, .5, .5, cubic); /* a point */
+  ph_check_distance_curve(&d, curve, 7);
+  ph_check_distance_add(&d, .5, .5, cubic); /* a point */
   ck_assert_double_ge(d.bound, unit_distance(cubic[0], cubic[3]));
   ck_assert_double_le(d.bound, 1.1 * unit_distance(cubic[0], cubic[3]));
 }
@@ -240,9 +247,11 @@ PH_TEST(test_allowed) {
     curve[k] = ph_cplx_of((double)k / 5, k == 2 ? 1e-3 : 0);
   }
   begin(1.0005 * 0.3456e-3);
-  ph_check_distance_add(&d, curve, 5, 0, 1, cubic);
+  ph_check_distance_curve(&d, curve, 5);
+  ph_check_distance_add(&d, 0, 1, cubic);
   ck_assert_double_le(d.bound, d.allowed + d.noise);
   begin(0.9 * 0.3456e-3);
-  ph_check_distance_add(&d, curve, 5, 0, 1, cubic);
+  ph_check_distance_curve(&d, curve, 5);
+  ph_check_distance_add(&d, 0, 1, cubic);
   ck_assert_double_ge(d.bound, 0.3456e-3);
 }

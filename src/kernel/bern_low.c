@@ -1,0 +1,165 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "kernel/bern_low.h"
+
+#include "kernel/bern.h"
+#include "kernel/pi.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+enum { N = PH_BERN_LOW + 1 };
+
+/* Terms are left away from where they are this part of the largest. */
+static const double TAIL = 0x1p-70;
+
+/* Rounding of a part, in eps of the largest coordinate: of values, sqrt(n) and
+ * one, times Lebesgue's constant of N nodes, at most 4; of the solution of a
+ * totally positive system, which does not grow [HIG02, thm. 9.12], 3 N of it,
+ * times that constant. */
+static const double ROUNDING_BY_ROOT = 16, ROUNDING = 16 * N;
+
+/* ---- values -------------------------------------------------------------- */
+
+/* The points of a form: coefficients, or their differences. */
+static ph_cplx point_at(const ph_cplx *c, size_t k, bool slope) {
+  return slope ? ph_cplx_sub(c[k + 1], c[k]) : c[k];
+}
+
+/* The sum of the terms beside the largest, number k, on one side of it, from
+ * there in steps; each over that term's weight. */
+static void add_side(const ph_cplx *c, size_t n, size_t k, double u, bool up,
+                     bool slope, ph_cplx *sum, double *weights) {
+  ph_cplx middle = point_at(c, k, slope);
+  double odds = up ? u / (1 - u) : (1 - u) / u, weight = 1;
+  for (size_t at = k; up ? at < n : at > 0;) {
+    size_t left = up ? n - at : at, taken = up ? at + 1 : n - at + 1;
+    weight *= (double)left / (double)taken * odds;
+    if (!(weight > TAIL)) {
+      return;
+    }
+    at = up ? at + 1 : at - 1;
+    *weights += weight;
+    *sum = ph_cplx_add(
+        *sum,
+        ph_cplx_scale(weight, ph_cplx_sub(point_at(c, at, slope), middle)));
+  }
+}
+
+static ph_cplx value_of(const ph_cplx *c, size_t n, double u, bool slope) {
+  size_t k = u < 1 ? (size_t)(u * (double)(n + 1)) : n;
+  ph_cplx sum = {0, 0};
+  double weights = 1;
+  k = k < n ? k : n;
+  if (u > 0 && u < 1) {
+    add_side(c, n, k, u, true, slope, &sum, &weights);
+    add_side(c, n, k, u, false, slope, &sum, &weights);
+  }
+  return ph_cplx_add(point_at(c, k, slope), ph_cplx_scale(1 / weights, sum));
+}
+
+ph_cplx ph_bern_value(const ph_cplx *c, size_t degree, double u) {
+  return value_of(c, degree, u, false);
+}
+
+ph_cplx ph_bern_slope(const ph_cplx *c, size_t degree, double u) {
+  return ph_cplx_scale((double)degree, value_of(c, degree - 1, u, true));
+}
+
+/* ---- parts --------------------------------------------------------------- */
+
+/* Factors the values of the basis at the nodes; no pivots are needed. */
+static void factor(struct ph_bern_low *low) {
+  for (size_t i = 0; i < N; i++) {
+    low->node[i] = 0.5 - 0.5 * cos(PH_PI * ((double)i + 0.5) / N);
+    ph_bern_basis(PH_BERN_LOW, low->node[i], low->lu[i]);
+  }
+  for (size_t k = 0; k < N; k++) {
+    for (size_t i = k + 1; i < N; i++) {
+      low->lu[i][k] /= low->lu[k][k];
+      for (size_t j = k + 1; j < N; j++) {
+        low->lu[i][j] -= low->lu[i][k] * low->lu[k][j];
+      }
+    }
+  }
+}
+
+/* The coefficients of values at the nodes, in place. */
+static void solve(const struct ph_bern_low *low, ph_cplx *x) {
+  for (size_t i = 1; i < N; i++) {
+    for (size_t j = 0; j < i; j++) {
+      x[i] = ph_cplx_sub(x[i], ph_cplx_scale(low->lu[i][j], x[j]));
+    }
+  }
+  for (size_t i = N; i-- > 0;) {
+    for (size_t j = i + 1; j < N; j++) {
+      x[i] = ph_cplx_sub(x[i], ph_cplx_scale(low->lu[i][j], x[j]));
+    }
+    x[i] = ph_cplx_scale(1 / low->lu[i][i], x[i]);
+  }
+}
+
+/* One more difference of n of them; the largest after it. */
+static double difference(ph_cplx *c, size_t n) {
+  double largest = 0;
+  for (size_t k = 0; k + 1 < n; k++) {
+    double d;
+    c[k] = ph_cplx_sub(c[k + 1], c[k]);
+    d = ph_cplx_abs(c[k]);
+    largest = d > largest || isnan(d) ? d : largest;
+  }
+  return largest;
+}
+
+void ph_bern_low_of(struct ph_bern_low *low, const ph_cplx *c, size_t degree,
+                    ph_cplx *room) {
+  double size = 0, largest = 0, error = 0, scale = 2;
+  low->c = c;
+  low->degree = degree;
+  low->rest = (double)INFINITY;
+  low->rounding = (double)INFINITY;
+  if (degree < PH_BERN_HIGH) {
+    return;
+  }
+  for (size_t k = 0; k <= degree; k++) {
+    size = fmax(size, ph_cplx_abs(c[k]));
+    room[k] = c[k];
+  }
+  for (size_t step = 0; step < N; step++) {
+    largest = difference(room, degree + 1 - step);
+    error = 2 * error + DBL_EPSILON * largest;
+    scale *= (double)(degree - step) / (double)(step + 1) / 4;
+  }
+  low->rest = scale * (largest + error);
+  low->rounding =
+      (ROUNDING_BY_ROOT * sqrt((double)degree) + ROUNDING) * DBL_EPSILON * size;
+  factor(low);
+}
+
+bool ph_bern_low_part(const struct ph_bern_low *low, double from, double to,
+                      double allowed, ph_cplx *part, double *lost) {
+  double miss = low->rest * pow(to - from, N) + low->rounding;
+  ph_cplx first, end[2];
+  if (!(miss <= allowed)) {
+    return false;
+  }
+  end[0] = ph_bern_value(low->c, low->degree, from);
+  end[1] = ph_bern_value(low->c, low->degree, to);
+  first = end[0];
+  for (size_t i = 0; i < N; i++) {
+    double u = from + low->node[i] * (to - from);
+    part[i] = ph_cplx_sub(ph_bern_value(low->c, low->degree, u), first);
+  }
+  solve(low, part);
+  for (size_t i = 0; i < N; i++) {
+    part[i] = ph_cplx_add(part[i], first);
+  }
+  /* it begins and ends where the curve does */
+  for (size_t i = 0; i < 2; i++) {
+    ph_cplx *at = &part[i * PH_BERN_LOW];
+    miss += ph_cplx_abs(ph_cplx_sub(end[i], *at));
+    *at = end[i];
+  }
+  *lost = miss;
+  return miss <= allowed;
+}

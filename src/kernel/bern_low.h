@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Bernstein forms of high degree n without de Casteljau's n^2 steps: values in
+ * O(sqrt n), and parts of the curve as polynomials of a low degree m, with a
+ * bound of what is lost.
+ *
+ * Of p on a part of width h, interpolated in m + 1 Chebyshev nodes, at most
+ *
+ *   2 (h/4)^(m+1) |p^(m+1)| / (m+1)!,
+ *   |p^(m+1)| / (m+1)! <= binomial(n, m+1) max_k |Delta^(m+1) c_k|
+ *
+ * is lost, by the remainder of interpolation [DAV75, sec. 3.1, 3.3] and as a
+ * derivative in Bernstein form is a convex combination of its coefficients.
+ */
+#ifndef PH_KERNEL_BERN_LOW_H
+#define PH_KERNEL_BERN_LOW_H
+
+#include "kernel/cplx.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* The low degree; and the least that it is worth while for. */
+enum { PH_BERN_LOW = 15, PH_BERN_HIGH = 2 * PH_BERN_LOW + 3 };
+
+struct ph_bern_low {
+  const ph_cplx *c; /* [degree + 1], not copied */
+  size_t degree;
+  double rest;     /* what is lost, over h^(LOW + 1); infinite below HIGH */
+  double rounding; /* and what rounding adds to it */
+  double node[PH_BERN_LOW + 1];                /* in [0,1] */
+  double lu[PH_BERN_LOW + 1][PH_BERN_LOW + 1]; /* values at them, factored */
+};
+
+/*
+ * ph_bern_value: p(u), by the terms that matter, outward from the largest.  In
+ * error by at most 4 sqrt(n) eps times the largest |c[k]|.
+ */
+ph_cplx ph_bern_value(const ph_cplx *c, size_t degree, double u);
+
+/* ph_bern_slope: p'(u), the same by differences of c. */
+ph_cplx ph_bern_slope(const ph_cplx *c, size_t degree, double u);
+
+/*
+ * ph_bern_low_of: a polynomial whose parts are asked for.
+ *
+ * ws  room[degree + 1]
+ */
+void ph_bern_low_of(struct ph_bern_low *low, const ph_cplx *c, size_t degree,
+                    ph_cplx *room);
+
+/*
+ * ph_bern_low_part: the part [from, to] as a polynomial of degree LOW.
+ *
+ * in   allowed  that may be lost
+ * out  part[PH_BERN_LOW + 1], lost
+ * ret  false where more might be: part is of no use then
+ */
+bool ph_bern_low_part(const struct ph_bern_low *low, double from, double to,
+                      double allowed, ph_cplx *part, double *lost);
+
+#endif
