@@ -364,7 +364,12 @@ PH_INLINE void far_arc(struct ph_spherical_arc *arc) {
 
 /* Terms of (2) for all E <= e. */
 PH_INLINE size_t terms_for(double e) {
-  return e < 0x1p-17 ? 5 : e < 0x1p-11 ? 7 : e < NEAR ? TERMS : 0;
+  return e < 0x1p-39   ? 2
+         : e < 0x1p-26 ? 3
+         : e < 0x1p-17 ? 5
+         : e < 0x1p-11 ? 7
+         : e < NEAR    ? TERMS
+                       : 0;
 }
 
 /* at: control points as displacements from the first. */
