@@ -33,6 +33,7 @@ _phspline() {
     --range | --range=) kind=nothing ;;
     -f | --format | --format=) list='json csv text npy svg-path svg geojson dxf obj stl opendrive gcode' ;;
     --feed | --feed=) kind=nothing ;;
+    --unit | --unit=) list='mm cm m in' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     --fields | --fields=) kind=nothing ;;
     -o | --output | --output=) kind=files ;;
@@ -62,7 +63,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --closed --merge= --at= --basis= --knots= --alpha= --end_derivatives= --solutions= --minimize= --free= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --feed= --table= --with-file --fields= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --title= --labels --convert= --offset-range --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --closed --merge= --at= --basis= --knots= --alpha= --end_derivatives= --solutions= --minimize= --free= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --feed= --unit= --table= --with-file --fields= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --title= --labels --convert= --offset-range --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -91,6 +92,7 @@ _phspline() {
     --range | --range=) kind=nothing ;;
     -f | --format | --format=) list='json csv text npy svg-path svg geojson dxf obj stl opendrive gcode' ;;
     --feed | --feed=) kind=nothing ;;
+    --unit | --unit=) list='mm cm m in' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     --fields | --fields=) kind=nothing ;;
     -o | --output | --output=) kind=files ;;
@@ -120,7 +122,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --closed --merge= --at= --tangents= --derivatives= --basis= --criterion= --angles= --axis= --alpha= --knots= --tension= --shape --planarity= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --feed= --table= --with-file --fields= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --title= --labels --convert= --offset-range --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --closed --merge= --at= --tangents= --derivatives= --basis= --criterion= --angles= --axis= --alpha= --knots= --tension= --shape --planarity= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --feed= --unit= --table= --with-file --fields= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --title= --labels --convert= --offset-range --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -150,6 +152,7 @@ _phspline() {
     --range | --range=) kind=nothing ;;
     -f | --format | --format=) list='json csv text npy svg-path svg geojson dxf obj stl opendrive gcode' ;;
     --feed | --feed=) kind=nothing ;;
+    --unit | --unit=) list='mm cm m in' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     --fields | --fields=) kind=nothing ;;
     -o | --output | --output=) kind=files ;;
@@ -179,7 +182,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --derivatives= --tangents= --closed --merge= --at= --lengths= --length_sigma= --tangent_sigma= --knots= --refine= --magnitudes= --planar= --starts= --all_minima --start= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --feed= --table= --with-file --fields= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --title= --labels --convert= --offset-range --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --derivatives= --tangents= --closed --merge= --at= --lengths= --length_sigma= --tangent_sigma= --knots= --refine= --magnitudes= --planar= --starts= --all_minima --start= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --feed= --unit= --table= --with-file --fields= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --title= --labels --convert= --offset-range --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -210,6 +213,7 @@ _phspline() {
     --range | --range=) kind=nothing ;;
     -f | --format | --format=) list='json csv text npy svg-path svg geojson dxf obj stl opendrive gcode' ;;
     --feed | --feed=) kind=nothing ;;
+    --unit | --unit=) list='mm cm m in' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     --fields | --fields=) kind=nothing ;;
     -o | --output | --output=) kind=files ;;
@@ -239,7 +243,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --lonlat= --closed --merge= --at= --center= --radius= --radius_tolerance= --model= --knots= --ends= --end_tangents= --tension= --shape= --increase= --criterion= --epsilon= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --feed= --table= --with-file --fields= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --title= --labels --convert= --offset-range --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --lonlat= --closed --merge= --at= --center= --radius= --radius_tolerance= --model= --knots= --ends= --end_tangents= --tension= --shape= --increase= --criterion= --epsilon= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --feed= --unit= --table= --with-file --fields= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --title= --labels --convert= --offset-range --nurbs --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -274,6 +278,7 @@ _phspline() {
     --range | --range=) kind=nothing ;;
     -f | --format | --format=) list='json csv text npy svg-path svg geojson dxf obj stl opendrive gcode' ;;
     --feed | --feed=) kind=nothing ;;
+    --unit | --unit=) list='mm cm m in' ;;
     --table | --table=) list='control-points lengths samples offsets' ;;
     --fields | --fields=) kind=nothing ;;
     -o | --output | --output=) kind=files ;;
@@ -302,7 +307,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --tangents= --derivatives= --curve= --path= --closed --merge= --at= --mode= --lambda= --ends= --end_tangents= --end_derivatives= --auxiliary= --joint= --joint_angle= --joint_position= --solutions= --tolerance= --pieces= --blaschke --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --feed= --table= --with-file --fields= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --title= --labels --convert= --offset-range --nurbs --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --tangents= --derivatives= --curve= --path= --closed --merge= --at= --mode= --lambda= --ends= --end_tangents= --end_derivatives= --auxiliary= --joint= --joint_angle= --joint_position= --solutions= --tolerance= --pieces= --blaschke --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --feed= --unit= --table= --with-file --fields= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --offset-mode= --offset-join= --offset-ends= --offset-sides= --offset-touching= --sample= --spacing= --chord-error= --frame= --plot= --plot-size= --title= --labels --convert= --offset-range --nurbs --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -333,6 +338,7 @@ _phspline() {
     --shard | --shard=) kind=nothing ;;
     --range | --range=) kind=nothing ;;
     -f | --format | --format=) list='json csv text npy svg-path svg geojson dxf obj stl opendrive gcode' ;;
+    --unit | --unit=) list='mm cm m in' ;;
     --table | --table=) list='samples strips development located' ;;
     --fields | --fields=) kind=nothing ;;
     -o | --output | --output=) kind=files ;;
@@ -357,7 +363,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --rulings= --tangents= --normals= --closed --method= --lambda= --degenerate_tolerance= --apexes= --contact_point= --tangent_scale= --criterion= --angles= --alpha= --height= --flat= --translate= --merge= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --table= --with-file --fields= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --sample= --plot= --plot-size= --title= --labels --volume= --panorama= --resolution= --fill= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --rulings= --tangents= --normals= --closed --method= --lambda= --degenerate_tolerance= --apexes= --contact_point= --tangent_scale= --criterion= --angles= --alpha= --height= --flat= --translate= --merge= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --unit= --table= --with-file --fields= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --sample= --plot= --plot-size= --title= --labels --volume= --panorama= --resolution= --fill= --tolerance= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac
@@ -378,6 +384,7 @@ _phspline() {
     --shard | --shard=) kind=nothing ;;
     --range | --range=) kind=nothing ;;
     -f | --format | --format=) list='json csv text npy svg-path svg geojson dxf obj stl opendrive gcode' ;;
+    --unit | --unit=) list='mm cm m in' ;;
     --table | --table=) list='samples patches edges' ;;
     --fields | --fields=) kind=nothing ;;
     -o | --output | --output=) kind=files ;;
@@ -397,7 +404,7 @@ _phspline() {
     *)
       kind=files
       if [[ $cur == -* ]]; then
-        kind=words list='--points= --faces= --normals= --continuity= --degree= --tolerance= --subdivide= --boundary= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --table= --with-file --fields= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --sample= --edges --plot= --plot-size= --title= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
+        kind=words list='--points= --faces= --normals= --continuity= --degree= --tolerance= --subdivide= --boundary= --input-format= --columns= --ignore-columns --delimiter= --shard= --range= --format= --unit= --table= --with-file --fields= --pretty --output= --if-changed --no-sync --set= --override= --sweep= --offset= --sample= --edges --plot= --plot-size= --title= --jobs= --max-samples= --max-memory= --max-record-bytes= --time-limit= --strict --fail-fast --progress --quiet --verbose --help --version'
       fi
       ;;
     esac

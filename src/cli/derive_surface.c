@@ -188,7 +188,7 @@ static enum ph_status derive_strips(const struct ph_options *o,
   if (status == PH_OK && o->panorama) {
     status = derive_panorama(o, arena, r, diag);
   }
-  if (status == PH_OK && format->is_cubics) {
+  if (status == PH_OK && (format->is_cubics || format->is_nurbs)) {
     return derive_flat(arena, r, derived, diag);
   }
   if (status == PH_OK && rules.along) {

@@ -71,7 +71,8 @@ enum ph_status ph_document_add(struct ph_document *d, const char *bytes,
 enum ph_status ph_document_end(struct ph_document *d, struct ph_diag *diag) {
   struct ph_buf buf = {0};
   if (format_of(d)->frame) {
-    format_of(d)->frame(&buf, d->box);
+    const struct ph_print print = ph_options_print(d->options);
+    format_of(d)->frame(&buf, &print, d->box);
     ph_buf_put(&buf, d->kept.data, d->kept.n);
   }
   if (format_of(d)->finish) {

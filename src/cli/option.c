@@ -366,7 +366,11 @@ static enum ph_status check_nurbs(struct ph_option_parser *p) {
   const struct ph_format_row *format = &ph_formats[o->format];
   const enum ph_space space = space_of(o);
   const char *name = ph_format_name(o->format);
-  if (format->is_nurbs && (space == PH_SURFACE || space == PH_PATCHWORK)) {
+  if (o->unit && !format->is_sheet) {
+    return ph_fail(p->diag, PH_E_USAGE, NULL,
+                   "--unit needs --format=svg or --format=dxf");
+  }
+  if (format->is_nurbs && space == PH_PATCHWORK) {
     return ph_fail(p->diag, PH_E_USAGE, NULL,
                    "--format=%s is of curves, %s makes surfaces", name,
                    o->command->schema->command);
@@ -578,7 +582,8 @@ struct ph_print ph_options_print(const struct ph_options *options) {
        options->samples.frame != PH_FRAME_NONE, options->with_file,
        ph_formats[options->format].is_binary},
       options->pretty,
-      options->feed};
+      options->feed,
+      options->unit};
 }
 
 void ph_options_free(struct ph_options *options) {

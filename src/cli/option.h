@@ -67,6 +67,9 @@
     "gcode: moves along plane curves")                                         \
   X(FEED, CURVE, 0, "feed", "F",                                               \
     "how fast the moves of --format=gcode are, in mm a minute")                \
+  X(UNIT, SOLVE, 0, "unit", PH_WORDS(PH_SHEET_UNITS),                          \
+    "what the numbers of --format=svg and dxf count, so that the drawing is "  \
+    "printed and cut in its true size")                                        \
   X(TABLE, SOLVE, 0, "table", "NAME",                                          \
     "what --format=csv, text and npy print (default: control-points, of "      \
     "surfaces "                                                                \
@@ -235,8 +238,9 @@ struct ph_options {
   size_t sweeps_n;
   size_t sweep_count; /* results for each problem */
   bool convert, nurbs, offset_range;
-  double tolerance;     /* 0: the default */
-  double feed;          /* 0: not given */
+  double tolerance; /* 0: the default */
+  double feed;      /* 0: not given */
+  enum ph_sheet_unit unit;
   const char *problems; /* of the results that verify looks at; NULL: none */
   struct ph_split_options problems_input;
   double *offsets;

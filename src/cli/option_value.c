@@ -410,6 +410,10 @@ static bool *flag_of(struct ph_options *o, enum ph_option_id id) {
     return &o->pretty;
   case PH_O_EDGES:
     return &o->edges;
+  case PH_O_NURBS:
+    return &o->nurbs;
+  case PH_O_OFFSET_RANGE:
+    return &o->offset_range;
   case PH_O_IF_CHANGED:
     return &o->if_changed;
   case PH_O_NO_SYNC:
@@ -418,6 +422,8 @@ static bool *flag_of(struct ph_options *o, enum ph_option_id id) {
     return &o->with_file;
   case PH_O_IGNORE_COLUMNS:
     return &input_of(o)->ignore_columns;
+  case PH_O_LABELS:
+    return &o->labels;
   case PH_O_STRICT:
     return &o->strict;
   case PH_O_FAIL_FAST:
@@ -498,10 +504,8 @@ static enum ph_status read_picture(struct ph_option_parser *p,
   switch (id) {
   case PH_O_VOLUME:
   case PH_O_VOLUME_OF:
-    o->volume_file = optarg;
-    return PH_OK;
   case PH_O_PANORAMA:
-    o->panorama = optarg;
+    *(id == PH_O_PANORAMA ? &o->panorama : &o->volume_file) = optarg;
     return PH_OK;
   case PH_O_RESOLUTION:
     return read_positive(p, id, &o->resolution);
@@ -516,9 +520,6 @@ static enum ph_status read_picture(struct ph_option_parser *p,
     return ph_plot_read_size(optarg, o, p->diag);
   case PH_O_TITLE:
     o->title = optarg;
-    return PH_OK;
-  case PH_O_LABELS:
-    o->labels = true;
     return PH_OK;
   default:
     return read_stream(p, id);
@@ -553,10 +554,6 @@ static enum ph_status read_argument(struct ph_option_parser *p,
   case PH_O_CONVERT:
     o->convert = true;
     return choose(p, id, words, &which);
-  case PH_O_OFFSET_RANGE:
-  case PH_O_NURBS:
-    *(id == PH_O_NURBS ? &o->nurbs : &o->offset_range) = true;
-    return PH_OK;
   case PH_O_TOLERANCE:
   case PH_O_FLAT:
   case PH_O_LIMIT:
@@ -578,6 +575,10 @@ static enum ph_status read_argument(struct ph_option_parser *p,
   case PH_O_SPACING:
   case PH_O_CHORD_ERROR:
     return read_samples(p, id);
+  case PH_O_UNIT:
+    status = choose(p, id, words, &which);
+    o->unit = (enum ph_sheet_unit)(which + 1);
+    return status;
   case PH_O_FRAME:
     status = choose(p, id, words, &which);
     o->samples.frame = (enum ph_frame)(which + 1);

@@ -7,6 +7,7 @@
  */
 #include "io/dxf_out.h"
 
+#include "curve/surface/grid.h"
 #include "io/number.h"
 
 #include <inttypes.h>
@@ -77,15 +78,16 @@ static void pair_number(struct ph_buf *buf, int code, double x) {
   "\n1\n\n0\nENDBLK\n5\n" end "\n330\n" owner                               \
   "\n100\nAcDbEntity\n8\n0\n100\nAcDbBlockEnd\n"
 
+static const char version[] = "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1015\n";
+
 static const char head[] =
-    "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1015\n"
     "9\n$HANDSEED\n5\nFFFFFFFFFFFFFF00\n0\nENDSEC\n"
     "0\nSECTION\n2\nCLASSES\n0\nENDSEC\n"
     "0\nSECTION\n2\nTABLES\n" TABLE("VPORT", "1", "0") END TABLE(
         "LTYPE", "2", "3") LTYPE("10", "ByBlock") LTYPE("11", "ByLayer")
-        LTYPE("12", "Continuous") END TABLE("LAYER", "3", "3") LAYER(
+        LTYPE("12", "Continuous") END TABLE("LAYER", "3", "4") LAYER(
             "13", "0", "7") LAYER("14", "curve", "7") LAYER("15", "offset", "1")
-            END TABLE("STYLE", "4", "1") ENTRY(
+            LAYER("20", "ruling", "5") END TABLE("STYLE", "4", "1") ENTRY(
                 "STYLE", "16", "4",
                 "AcDbTextStyleTableRecord") "2\nStandard\n70\n0\n40\n0."
                                             "0\n41\n1.0\n50\n0.0\n71\n0\n42\n1."
@@ -159,7 +161,12 @@ static const char tail[] = "0\nENDSEC\n0\nSECTION\n2\nOBJECTS\n" DICTIONARY(
                             "F\n330\nE\n0\nENDSEC\n0"
                             "\nEOF\n";
 
-void ph_dxf_header(struct ph_buf *buf) {
+void ph_dxf_header(struct ph_buf *buf, const char *unit) {
+  ph_buf_puts(buf, version);
+  if (unit) {
+    pair(buf, 9, "$INSUNITS");
+    pair(buf, 70, unit);
+  }
   ph_buf_puts(buf, head);
 }
 
@@ -194,27 +201,35 @@ static void pair_text(struct ph_buf *buf, int code, const char *value) {
   pair(buf, code, text);
 }
 
-static void points(const struct context *c, const struct ph_spline *s) {
-  for (size_t i = 0; i < s->n; i++) {
-    const double *p = s->control_points + c->dimension * i;
-    if (s->weights_n) {
-      pair_number(c->buf, 41, s->weights[i]);
-    }
-    pair_number(c->buf, 10, p[0]);
-    pair_number(c->buf, 20, c->downward ? 0 - p[1] : p[1]);
-    pair_number(c->buf, 30, c->dimension == 3 ? p[2] : 0);
+static void point(const struct context *c, int code, const double *p) {
+  pair_number(c->buf, code, p[0]);
+  pair_number(c->buf, code + 10, c->downward ? 0 - p[1] : p[1]);
+  pair_number(c->buf, code + 20, c->dimension == 3 ? p[2] : 0);
+}
+
+static void begin(struct context *c, const char *type, const char *layer,
+                  const char *class) {
+  pair(c->buf, 0, type);
+  pair_handle(c->buf, 5, c->handle++);
+  pair(c->buf, 330, "1A");
+  pair(c->buf, 100, "AcDbEntity");
+  pair(c->buf, 8, layer);
+  pair(c->buf, 100, class);
+}
+
+static void end(const struct context *c, const double *distance) {
+  pair(c->buf, 1001, "PHSPLINE");
+  pair_text(c->buf, 1000, c->id);
+  if (distance) {
+    pair_number(c->buf, 1040, *distance);
   }
 }
 
-static void spline(struct context *c, const struct ph_spline *s,
-                   const char *layer, const double *distance) {
+/* A spline, but for its knots and points. */
+static void begin_spline(struct context *c, const struct ph_spline *s,
+                         const char *layer) {
   struct ph_buf *buf = c->buf;
-  pair(buf, 0, "SPLINE");
-  pair_handle(buf, 5, c->handle++);
-  pair(buf, 330, "1A");
-  pair(buf, 100, "AcDbEntity");
-  pair(buf, 8, layer);
-  pair(buf, 100, "AcDbSpline");
+  begin(c, "SPLINE", layer, "AcDbSpline");
   if (c->dimension == 2) {
     ph_buf_puts(buf, "210\n0.0\n220\n0.0\n230\n1.0\n");
   }
@@ -225,15 +240,21 @@ static void spline(struct context *c, const struct ph_spline *s,
   pair_size(buf, 72, s->knots_n);
   pair_size(buf, 73, s->n);
   pair_size(buf, 74, 0);
+}
+
+static void spline(struct context *c, const struct ph_spline *s,
+                   const char *layer, const double *distance) {
+  begin_spline(c, s, layer);
   for (size_t i = 0; i < s->knots_n; i++) {
-    pair_number(buf, 40, s->knots[i]);
+    pair_number(c->buf, 40, s->knots[i]);
   }
-  points(c, s);
-  pair(buf, 1001, "PHSPLINE");
-  pair_text(buf, 1000, c->id);
-  if (distance) {
-    pair_number(buf, 1040, *distance);
+  for (size_t i = 0; i < s->n; i++) {
+    if (s->weights_n) {
+      pair_number(c->buf, 41, s->weights[i]);
+    }
+    point(c, 10, s->control_points + c->dimension * i);
   }
+  end(c, distance);
 }
 
 static void splines(struct context *c, const struct ph_splines *of,
@@ -243,10 +264,65 @@ static void splines(struct context *c, const struct ph_splines *of,
   }
 }
 
+/* Whether cubic i of a path begins where the one before ends, to the last bit.
+ */
+static bool goes_on(const double *p, size_t i) {
+  return i > 0 && memcmp(p + 8 * i, p + 8 * i - 2, 2 * sizeof *p) == 0;
+}
+
+/* Cubics one after the other, n of them, as a spline whose knots count them. */
+static void cubics(struct context *c, const double *p, size_t n,
+                   const char *layer, const double *distance) {
+  const struct ph_spline s = {.degree = 3,
+                              .closed =
+                                  memcmp(p, p + 8 * n - 2, 2 * sizeof *p) == 0,
+                              .n = 3 * n + 1,
+                              .knots_n = 3 * n + 5};
+  begin_spline(c, &s, layer);
+  for (size_t i = 0; i < s.knots_n; i++) {
+    pair_size(c->buf, 40, i == 0 ? 0 : i + 1 == s.knots_n ? n : (i - 1) / 3);
+  }
+  point(c, 10, p);
+  for (size_t i = 0; i < n; i++) {
+    for (size_t j = 1; j <= 3; j++) {
+      point(c, 10, p + 8 * i + 2 * j);
+    }
+  }
+  end(c, distance);
+}
+
+/* A flat pattern: the chains of its outline, and the rulings between strips. */
+static void pattern(struct context *c, const struct ph_curve *curve,
+                    const struct ph_pieces *path, const double *distance) {
+  const double *p = path->control_points;
+  const size_t outline = path->n - ph_flat_rulings(curve);
+  for (size_t i = 0, next; i < outline; i = next) {
+    for (next = i + 1; next < outline && goes_on(p, next); next++) {
+    }
+    cubics(c, p + 8 * i, next - i, distance ? "offset" : "curve", distance);
+  }
+  for (size_t i = outline; i < path->n; i++) {
+    begin(c, "LINE", "ruling", "AcDbLine");
+    point(c, 10, p + 8 * i);
+    point(c, 11, p + 8 * i + 6);
+    end(c, distance);
+  }
+}
+
 void ph_dxf_out(struct ph_buf *buf, const char *id, size_t number,
-                bool downward, const struct ph_result *result) {
+                bool downward, const struct ph_result *result,
+                const struct ph_pieces *paths) {
   struct context c = {buf, id, (uint64_t)number << RESULT_BITS,
                       result->curve.dimension, downward};
+  if (result->curve.kind == PH_CURVE_CONE) {
+    c.dimension = 2;
+    pattern(&c, &result->curve, &paths[0], NULL);
+    for (size_t i = 0; i < result->parallels_n; i++) {
+      const struct ph_parallel *beside = &result->parallels[i];
+      pattern(&c, &beside->curve, &paths[i + 1], &beside->distance);
+    }
+    return;
+  }
   splines(&c, &result->nurbs, "curve", NULL);
   for (size_t i = 0; i < result->offsets_n; i++) {
     const struct ph_offset *o = &result->offsets[i];

@@ -47,6 +47,17 @@ static void array_finish(struct ph_buf *buf, const struct ph_print *print,
   ph_npy_header(buf, &print->shape, bytes);
 }
 
+/* Units: how many millimetres, and what $INSUNITS of DXF is. */
+static const struct {
+  double size;
+  const char *code;
+} units[PH_SHEET_N] = {
+    [PH_SHEET_MM] = {1, "4"},
+    [PH_SHEET_CM] = {10, "5"},
+    [PH_SHEET_M] = {1000, "6"},
+    [PH_SHEET_INCH] = {25.4, "1"},
+};
+
 /* Path i of a result: the offset that it is of, or NULL, and whether its
  * subpaths that end where they began are closed. */
 static const struct ph_offset *path_of(const struct ph_solved *s, size_t i,
@@ -85,6 +96,11 @@ static void pattern_solved(struct ph_buf *buf, const struct ph_solved *s,
   name->rulings = true;
   ph_svg_element(buf, name, &part, false, !s->downward, s->box);
   name->rulings = false;
+}
+
+static void drawing_frame(struct ph_buf *buf, const struct ph_print *print,
+                          const double box[4]) {
+  ph_svg_header(buf, box, units[print->unit].size);
 }
 
 static void drawing_solved(struct ph_buf *buf, const struct ph_print *print,
@@ -141,14 +157,14 @@ static void lines_solved(struct ph_buf *buf, const struct ph_print *print,
 
 static void nurbs_header(struct ph_buf *buf, const struct ph_print *print,
                          const struct ph_swept *swept, size_t swept_n) {
-  (void)print, (void)swept, (void)swept_n;
-  ph_dxf_header(buf);
+  (void)swept, (void)swept_n;
+  ph_dxf_header(buf, units[print->unit].code);
 }
 
 static void nurbs_solved(struct ph_buf *buf, const struct ph_print *print,
                          const struct ph_solved *s) {
   (void)print;
-  ph_dxf_out(buf, s->id, s->number, s->downward, s->result);
+  ph_dxf_out(buf, s->id, s->number, s->downward, s->result, s->paths);
 }
 
 static void roads_header(struct ph_buf *buf, const struct ph_print *print,
@@ -202,7 +218,8 @@ const struct ph_format_row ph_formats[PH_FORMAT_N] = {
                             .failed = path_failed},
     [PH_FORMAT_SVG] = {.is_cubics = true,
                        .is_drawing = true,
-                       .frame = ph_svg_header,
+                       .is_sheet = true,
+                       .frame = drawing_frame,
                        .footer = ph_svg_footer,
                        .solved = drawing_solved},
     [PH_FORMAT_GEOJSON] = {.is_lines = true,
@@ -211,6 +228,7 @@ const struct ph_format_row ph_formats[PH_FORMAT_N] = {
                            .footer = ph_geojson_footer,
                            .solved = lines_solved},
     [PH_FORMAT_DXF] = {.is_nurbs = true,
+                       .is_sheet = true,
                        .header = nurbs_header,
                        .footer = ph_dxf_footer,
                        .solved = nurbs_solved},

@@ -25,6 +25,21 @@
   X(OPENDRIVE, "opendrive")  \
   X(GCODE, "gcode")
 
+/* What the numbers of a drawing count. */
+#define PH_SHEET_UNITS(FIRST, X) \
+  FIRST(MM, "mm")                \
+  X(CM, "cm")                    \
+  X(M, "m")                      \
+  X(INCH, "in")
+
+enum ph_sheet_unit {
+  PH_SHEET_NONE, /* it does not say */
+#define X(symbol, name) PH_SHEET_##symbol,
+  PH_SHEET_UNITS(X, X)
+#undef X
+      PH_SHEET_N
+};
+
 enum ph_format {
 #define X(symbol, name) PH_FORMAT_##symbol,
   PH_FORMATS(X, X)
@@ -42,6 +57,7 @@ struct ph_print {
   struct ph_csv_shape shape; /* of formats that are tables */
   bool pretty;               /* of formats that are objects */
   double feed;               /* of formats that are moves: mm a minute */
+  enum ph_sheet_unit unit;   /* of formats that are sheets */
 };
 
 /* A solved problem. */
@@ -50,8 +66,9 @@ struct ph_solved {
   size_t number;  /* of the result, from 1: of all records, swept or not */
   const struct ph_heading *heading;
   const struct ph_result *result;
-  const struct ph_pieces *paths; /* of formats that are cubics: the curve, then
-                                    its offsets; else NULL */
+  const struct ph_pieces *paths; /* of formats that are cubics, and of flat
+                                    patterns in those that are B-splines: the
+                                    curve, then its offsets; else NULL */
   size_t paths_n;
   bool downward; /* y points that way in the input, as in SVG */
   double *box;   /* [4] out: what was drawn (svg_out.h) */
@@ -73,6 +90,7 @@ struct ph_format_row {
   bool is_cubics;  /* has neither samples nor --convert; --chord-error is how
                       near the cubics are to the curve */
   bool is_lines;   /* of samples of curves, which it has without being asked */
+  bool is_sheet;   /* may say in which unit it is */
   bool is_road;    /* of plane cubics alone, without samples and offsets */
   bool is_moves;   /* of a machine: plane curves, samples as is_lines, but only
                       of --chord-error */
@@ -82,7 +100,8 @@ struct ph_format_row {
                  const struct ph_swept *swept, size_t swept_n);
   /* the same of a format that is kept in memory to its end: about what was
    * drawn */
-  void (*frame)(struct ph_buf *buf, const double box[4]);
+  void (*frame)(struct ph_buf *buf, const struct ph_print *print,
+                const double box[4]);
   /* after all records; NULL: nothing */
   void (*footer)(struct ph_buf *buf);
   /* what the header is when so many bytes stand behind it, in the place of

@@ -123,7 +123,14 @@ void ph_svg_element(struct ph_buf *buf, const struct ph_svg_name *name,
   ph_buf_puts(buf, "\"/>\n");
 }
 
-void ph_svg_header(struct ph_buf *buf, const double box[4]) {
+/* A length of the page, in millimetres. */
+static void extent(struct ph_buf *buf, const char *name, double x) {
+  ph_buf_puts(buf, name);
+  number(buf, x);
+  ph_buf_puts(buf, "mm\"");
+}
+
+void ph_svg_header(struct ph_buf *buf, const double box[4], double unit) {
   const bool nothing = !(box[0] <= box[2]);
   const double width = nothing ? 1 : box[2] - box[0];
   const double height = nothing ? 1 : box[3] - box[1];
@@ -132,7 +139,12 @@ void ph_svg_header(struct ph_buf *buf, const double box[4]) {
                           nothing ? 0 : box[1] - MARGIN * size,
                           width + 2 * MARGIN * size,
                           height + 2 * MARGIN * size};
-  ph_buf_puts(buf, "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"");
+  ph_buf_puts(buf, "<svg xmlns=\"http://www.w3.org/2000/svg\"");
+  if (unit > 0) {
+    extent(buf, " width=\"", unit * view[2]);
+    extent(buf, " height=\"", unit * view[3]);
+  }
+  ph_buf_puts(buf, " viewBox=\"");
   for (size_t k = 0; k < 4; k++) {
     ph_buf_puts(buf, k > 0 ? " " : "");
     number(buf, view[k]);

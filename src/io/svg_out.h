@@ -57,8 +57,9 @@ void ph_svg_element(struct ph_buf *buf, const struct ph_svg_name *name,
                     const struct ph_pieces *cubics, bool closed, bool up,
                     double box[4]);
 
-/* ph_svg_header, ph_svg_footer: what stands around all elements. */
-void ph_svg_header(struct ph_buf *buf, const double box[4]);
+/* ph_svg_header, ph_svg_footer: what stands around all elements.  unit: the
+ * millimetres that a drawing has for one of the data; 0: it does not say. */
+void ph_svg_header(struct ph_buf *buf, const double box[4], double unit);
 void ph_svg_footer(struct ph_buf *buf);
 
 #endif

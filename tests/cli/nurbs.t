@@ -86,9 +86,42 @@ refused 'nurbs in a table' '--nurbs needs --format=json' -f csv --nurbs
 refused 'both at once' '--nurbs needs --format=json' -f dxf --nurbs
 refused 'of Bezier curves' "B-splines are of the curve as it was found; \
 --convert does nothing there" --nurbs --convert=bezier
-feed '{"points":[[0,0,0],[1,0,0]]}' cone -f dxf
-expect 'of a surface' 2 "phspline: --format=dxf is of curves, cone makes surfaces
-Try 'phspline cone --help'." ''
+feed '{"points":[[0,0,0],[1,0,0]],"faces":[]}' bubble -f dxf
+expect 'of patches' 2 "phspline: --format=dxf is of curves, bubble makes surfaces
+Try 'phspline bubble --help'." ''
+refused 'a unit of what has none' '--unit needs --format=svg or --format=dxf' \
+  --unit=mm
+refused 'an unknown unit' "--unit must be mm|cm|m|in, found 'ft'" -f svg \
+  --unit=ft
+
+# ---- flat patterns: the outline that svg-path has, and lines to bend along ----------
+
+lamp=$srcdir/data/lampshade.csv
+run cone --closed --height='[0,18]' --offset=1 -f dxf --unit=in "$lamp" -o flat.dxf
+equal 'layers and unit' '70:1 LINE:ruling:46 SPLINE:curve:1 SPLINE:offset:1' "$(
+  paste -d ' ' - - <flat.dxf | awk '
+    $1 == 9 { header = $2 }
+    $1 == 70 && header == "$INSUNITS" { unit = $2; header = "" }
+    $1 == 0 { type = $2 }
+    $1 == 8 && (type == "LINE" || type == "SPLINE") { n[type ":" $2]++ }
+    END { printf "70:%s", unit
+      for (i = split("LINE:ruling SPLINE:curve SPLINE:offset", k); i > 0; i--)
+        text = " " k[i] ":" n[k[i]] text
+      print text }')"
+run cone --closed --height='[0,18]' -f svg-path "$lamp"
+sed 's/Z.*//' out | tr -s 'MC ' '[\n*]' | sed '/^$/d' | tr , ' ' >wanted
+run cone --closed --height='[0,18]' -f dxf "$lamp"
+true_that 'no unit where none is given' test -z "$(grep INSUNITS out)"
+paste -d ' ' - - <out | awk '$1 == 0 { type = $2 } type == "SPLINE" && $1 == 10 {
+  x = $2 } type == "SPLINE" && $1 == 20 { print x, $2 }' >found
+numbers 'the outline' 0 wanted found
+if [ -n "$python" ]; then
+  equal 'another program finds no fault' '[] [] 1 True' "$("$python" -c '
+import ezdxf
+d = ezdxf.readfile("flat.dxf")
+a = d.audit()
+print(a.errors, a.fixes, d.units, d.modelspace()[0].closed)')"
+fi
 
 near='{"points":[[0,0,0.004],[0,0,0]],"basis":"atph","alpha":[2],"knots":'
 near="${near}[-1.79057151528321,-1.7905715152832045]}"

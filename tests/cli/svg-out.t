@@ -22,6 +22,10 @@ expect 'a drawing' 0 '' \
 .ruling { stroke-dasharray: 0.0234375 }</style>
 <path id="a" transform="scale(1,-1)" d="M0,0C1,0 2,0 3,0"/>
 </svg>'
+feed '{"points":[[0,0],[3,0]]}' planar -f svg --unit=in
+equal 'its size in inches' \
+  ' width="79.248mm" height="3.0479999999999996mm" viewBox="-0.06 -0.06 3.12 0.12">' \
+  "$(sed -n '1s/.*svg"//p' out)"
 feed '' planar -f svg
 equal 'no problem' '0 0 1.04 1.04' "$(view)"
 printf 'id,x,y\n"a<b ""c",0,0\n"a<b ""c",4,0\n"a<b ""c",4,3\nd,5,5\nd,7,8\n' \
