@@ -53,6 +53,16 @@ static void end_part(const struct ph_csv_row *row, const struct ph_offset *o,
   }
 }
 
+/* Gaps before row or piece number i of such an offset. */
+static size_t begin_parts(const struct ph_offset *o, const size_t *segment,
+                          size_t i) {
+  size_t gap = 0;
+  if (o && i > 0) {
+    ph_gaps_pass(&o->gaps, segment[i - 1], &gap);
+  }
+  return gap;
+}
+
 /* Names in one list, separated by commas. */
 static void names(const struct ph_csv_row *row, const char *list) {
   for (; *list; list++) {
@@ -94,6 +104,7 @@ struct rows {
   const struct ph_curve *curve;
   const struct ph_samples *samples;
   const struct ph_offset *offset; /* that they are of, or NULL */
+  const struct ph_pieces *pieces; /* of it */
   double loop;                    /* of it */
 };
 
@@ -165,11 +176,8 @@ static void some_samples(void *context, struct ph_buf *to, size_t first,
   const struct ph_offset *o = rows->offset;
   const struct ph_csv_row row =
       ph_csv_row_of(to, rows->row->shape, rows->row->heading);
-  size_t gap = 0;
+  size_t gap = begin_parts(o, s->segment, first);
   for (size_t i = first; i < end; i++) {
-    if (o && i == first && i > 0) {
-      ph_gaps_pass(&o->gaps, s->segment[i - 1], &gap);
-    }
     end_part(&row, o, s->segment[i], i, &gap);
     ph_csv_begin_row(&row);
     place_cells(&row, s, i);
@@ -199,7 +207,7 @@ static void some_samples(void *context, struct ph_buf *to, size_t first,
 /* Of the curve, or of the offset that is not NULL, or of a loop of it. */
 static void samples(const struct ph_csv_row *row, const struct ph_samples *s,
                     const struct ph_offset *o, double loop) {
-  struct rows rows = {row, NULL, s, o, loop};
+  struct rows rows = {.row = row, .samples = s, .offset = o, .loop = loop};
   ph_relay(row->buf, s->n, some_samples, &rows);
 }
 
@@ -218,44 +226,58 @@ static void samples_beside(const struct ph_csv_row *row,
 }
 
 /* Samples in the table of offsets, where the distance comes first. */
-static void offset_samples(const struct ph_csv_row *row,
-                           const struct ph_offset *o) {
-  size_t gap = 0;
-  for (size_t i = 0; i < o->samples.n; i++) {
-    end_part(row, o, o->samples.segment[i], i, &gap);
-    ph_csv_begin_row(row);
-    ph_csv_number_cell(row, o->distance);
-    place_cells(row, &o->samples, i);
-    ph_csv_number_cells(row, o->samples.lonlat + 2 * i, 2);
-    ph_csv_end_row(row);
+static void some_offset_samples(void *context, struct ph_buf *to, size_t first,
+                                size_t end) {
+  const struct rows *rows = context;
+  const struct ph_offset *o = rows->offset;
+  const struct ph_samples *s = rows->samples;
+  const struct ph_csv_row row =
+      ph_csv_row_of(to, rows->row->shape, rows->row->heading);
+  size_t gap = begin_parts(o, s->segment, first);
+  for (size_t i = first; i < end; i++) {
+    end_part(&row, o, s->segment[i], i, &gap);
+    ph_csv_begin_row(&row);
+    ph_csv_number_cell(&row, o->distance);
+    place_cells(&row, s, i);
+    ph_csv_number_cells(&row, s->lonlat + 2 * i, 2);
+    ph_csv_end_row(&row);
   }
 }
 
 /* Pieces of an offset; no weights are ones.  A segment in several pieces goes
  * on counting its points. */
-static void offset_pieces(const struct ph_csv_row *row,
-                          const struct ph_offset *o,
-                          const struct ph_pieces *pieces,
-                          const double *weight) {
-  const double *p = pieces->control_points;
-  size_t index = 0, gap = 0;
-  for (size_t piece = 0; piece < pieces->n; piece++) {
-    end_part(row, o, pieces->segment[piece], piece, &gap);
-    if (piece == 0 || pieces->segment[piece] != pieces->segment[piece - 1]) {
+static void some_pieces(void *context, struct ph_buf *to, size_t first,
+                        size_t end) {
+  const struct rows *rows = context;
+  const struct ph_offset *o = rows->offset;
+  const struct ph_pieces *pieces = rows->pieces;
+  const size_t points = pieces->degree + 1;
+  const double *p = pieces->control_points + first * points * pieces->dimension;
+  const double *weight = o->weights ? o->weights + first * points : NULL;
+  const struct ph_csv_row row =
+      ph_csv_row_of(to, rows->row->shape, rows->row->heading);
+  size_t index = 0, gap = begin_parts(o, pieces->segment, first);
+  for (size_t i = first; i > 0 && pieces->segment[i] == pieces->segment[i - 1];
+       i--) {
+    index += points;
+  }
+  for (size_t k = first; k < end; k++) {
+    end_part(&row, o, pieces->segment[k], k, &gap);
+    if (k == 0 || pieces->segment[k] != pieces->segment[k - 1]) {
       index = 0;
     }
-    for (size_t i = 0; i <= pieces->degree; i++) {
-      ph_csv_begin_row(row);
-      ph_csv_number_cell(row, o->distance);
-      ph_csv_number_cell(row, (double)pieces->segment[piece]);
-      ph_csv_number_cell(row, (double)index++);
-      ph_csv_number_cells(row, p, pieces->dimension);
+    for (size_t i = 0; i < points; i++) {
+      ph_csv_begin_row(&row);
+      ph_csv_number_cell(&row, o->distance);
+      ph_csv_number_cell(&row, (double)pieces->segment[k]);
+      ph_csv_number_cell(&row, (double)index++);
+      ph_csv_number_cells(&row, p, pieces->dimension);
       p += pieces->dimension;
-      ph_csv_number_cell(row, weight ? *weight++ : 1);
+      ph_csv_number_cell(&row, weight ? *weight++ : 1);
       if (o->vector) {
-        vector_cell(row, o->vector);
+        vector_cell(&row, o->vector);
       }
-      ph_csv_end_row(row);
+      ph_csv_end_row(&row);
     }
   }
 }
@@ -289,12 +311,16 @@ static void offset_loops(const struct ph_csv_row *row,
 static void offset(const struct ph_csv_row *row, const struct ph_offset *o) {
   struct ph_pieces rational = {o->degree,   o->dimension,      o->n, o->segment,
                                o->interval, o->control_points, 0};
+  struct rows rows = {.row = row,
+                      .samples = &o->samples,
+                      .offset = o,
+                      .pieces = o->weights ? &rational : &o->pieces};
   if (o->loops.mode) {
     offset_loops(row, o);
   } else if (row->shape->space == PH_SPHERE) {
-    offset_samples(row, o);
+    ph_relay(row->buf, o->samples.n, some_offset_samples, &rows);
   } else {
-    offset_pieces(row, o, o->weights ? &rational : &o->pieces, o->weights);
+    ph_relay(row->buf, rows.pieces->n, some_pieces, &rows);
   }
 }
 
