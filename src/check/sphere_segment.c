@@ -298,25 +298,30 @@ static int is_narrow(const struct ph_check_nu_segment *s,
 
 /* Whether a curve through these equally spaced points, near the first one,
  * leaves it in the direction of the second.  If not, it turns back in between,
- * and on a great circle all sums of distances may agree for all that. */
+ * and on a great circle all sums of distances may agree for all that.  The
+ * second distance is 3 times the first where the curve turns at the first
+ * point, about: less as it is slower later on. */
 static int goes_on(ph_vec3 a, ph_vec3 b, ph_vec3 c) {
   ph_vec3 first = ph_vec3_sub(b, a), second = ph_vec3_sub(c, b);
-  return !(3 * ph_vec3_dot(first, first) <= ph_vec3_dot(first, second));
+  return !(2 * ph_vec3_dot(first, first) <= ph_vec3_dot(first, second));
 }
 
-/* Whether no distance is so much shorter than those beside it that the curve
- * may turn back within and on again: where it rests for a moment between
- * points, at a speed of t^2, the squares of these are 50 times that of the
- * shorter one at least. */
+/* Whether the curve does not turn back at a point, as it would next to it, nor
+ * is any distance so much shorter than those beside it that the curve may turn
+ * back within and on again: where it rests for a moment between points, at a
+ * speed of t^2, the squares of these are 50 times that of the shorter one at
+ * least. */
 static int keeps_on(const struct interval *v, size_t step) {
+  ph_vec3 last = {0, 0, 0};
   double before = 0, here = HUGE_VAL;
   int on = 1;
   for (size_t i = 0; i + step < POINTS; i += step) {
     ph_vec3 d = ph_vec3_sub(v->s[i + step], v->s[i]);
     double next = ph_vec3_dot(d, d);
-    on = on && !(18 * here <= before + next);
+    on = on && !(18 * here <= before + next) && !(ph_vec3_dot(last, d) < 0);
     before = i > 0 ? here : 0;
     here = next;
+    last = d;
   }
   return on;
 }

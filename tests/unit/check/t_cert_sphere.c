@@ -225,6 +225,35 @@ PH_TEST_EACH(test_turning_back, 3) {
   }
 }
 
+/* Forth, back for a short way, and forth, at the speed (t - t0)^2 - r^2 times
+ * 3 c: 8 c r^3 longer than the angle of its ends.  A claim that does not know
+ * it is refused, also where it turns at a part of a power of two, by what the
+ * certificate allows of lengths. */
+PH_TEST(test_running_back) {
+  struct unit_random r = unit_random_of(612908);
+  for (int i = 0; i < unit_count(2000); i++) {
+    double scale = pow(10, unit_random_in(&r, -5, -0.5));
+    double t = unit_random_in(&r, 0.1, 0.9), at = 0, length, found;
+    double back = pow(10, unit_random_in(&r, -2.5, -1.1));
+    const double b[3] = {t * t - back * back, t * t - back * back - t,
+                         t * t - back * back - 2 * t + 1};
+    struct ph_check_nu_segment s;
+    ph_vec3 p[4];
+    for (size_t k = 0; k < 4; k++) {
+      p[k] = ph_vec3_of(cos(at), 0.6 * sin(at), 0.8 * sin(at));
+      at += k < 3 ? scale * b[k] : 0;
+    }
+    length = at + 8 * scale * back * back * back;
+    ph_check_nu_segment_of(p, 4.4e-16, &s);
+    for (int wrong = 0; wrong < 2; wrong++) {
+      double claimed = wrong ? at : length;
+      double allowed = 1e-11 * claimed + 96 * 4.4e-16;
+      found = ph_check_nu_length(&s, claimed, allowed);
+      ck_abs(found, length, 1e-11 * length + 96 * 4.4e-16);
+    }
+  }
+}
+
 /* ---- what is not ----------------------------------------------------- */
 
 /* Each coordinate of each control point, one after the other; on the sphere
