@@ -18,6 +18,11 @@
  * samples, relative to the size of the curve. */
 static const double TOLERANCE_PATH = 1e-6;
 
+/* A part of the size of a curve, or what its coordinates are rounded by. */
+static double default_tolerance(double part, const struct ph_curve *curve) {
+  return fmax(part * ph_curve_size(curve), ph_curve_rounding(curve));
+}
+
 /* Joints that a warning of gaps names. */
 enum { GAPS_NAMED = 8 };
 
@@ -144,7 +149,7 @@ static struct ph_sample_rules sample_rules(const struct ph_options *o,
   }
   if (ph_formats[o->format].is_lines && rules.how == PH_SAMPLE_NONE) {
     rules.how = PH_SAMPLE_CHORD;
-    rules.chord_error = TOLERANCE_PATH * ph_curve_size(curve);
+    rules.chord_error = default_tolerance(TOLERANCE_PATH, curve);
   }
   return rules;
 }
@@ -192,7 +197,7 @@ static enum ph_status derive_paths(const struct ph_options *o,
   const double tolerance =
       o->samples.how == PH_SAMPLE_CHORD ? o->samples.chord_error
       : drawing                         ? o->tolerance
-                : TOLERANCE_PATH * ph_curve_size(&r->curve);
+                : default_tolerance(TOLERANCE_PATH, &r->curve);
   size_t n = r->offsets_n + 1;
   enum ph_status status = PH_OK;
   derived->paths = ph_arena_array(arena, n, sizeof *derived->paths);
@@ -364,8 +369,9 @@ enum ph_status ph_derive(const struct ph_options *options,
   if (ph_kind_of(&result->curve)->parts != PH_SEGMENTS_PARTS) {
     return ph_derive_surface(o, arena, result, derived, diag);
   }
-  tolerance = o->tolerance > 0 ? o->tolerance
-                               : PH_TOLERANCE * ph_curve_size(&result->curve);
+  tolerance = o->tolerance > 0
+                  ? o->tolerance
+                  : default_tolerance(PH_TOLERANCE, &result->curve);
   status = ph_enclosed_area(&result->curve, arena, &result->area, diag);
   if (status == PH_OK && o->offset_range) {
     status = derive_range(arena, result, diag);

@@ -154,7 +154,8 @@
     "add curves and offsets as B-splines, rational where they must be")        \
   X(TOLERANCE, CURVE, 0, "tolerance", "E",                                     \
     "greatest distance of Bezier pieces from the exact curve "                 \
-    "(default: " PH_TEXT(PH_TOLERANCE) " of its size)")                        \
+    "(default: " PH_TEXT(PH_TOLERANCE) " of its size, or the rounding of its " \
+                                       "coordinates)")                         \
   X(FLAT, SURFACE, 0, "tolerance", "E",                                        \
     "greatest distance of a general cone laid flat from chords of its "        \
     "samples (default: " PH_TEXT(PH_TOLERANCE_FLAT) " of the size)")           \

@@ -5,6 +5,7 @@
 #include "curve/kind/kind.h"
 
 #include <assert.h>
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -104,6 +105,29 @@ double ph_curve_size(const struct ph_curve *curve) {
     sum = hypot(sum, high / 2 - low / 2);
   }
   return sum;
+}
+
+double ph_curve_rounding(const struct ph_curve *curve) {
+  /* of de Casteljau's algorithm for both, in steps of half a unit in the last
+   * place, and of their difference */
+  static const double steps = 16;
+  const size_t n = curve->n * (curve->degree + 1) * curve->dimension;
+  double largest = 0;
+  for (size_t i = 0; i < n; i++) {
+    largest = fmax(largest, fabs(curve->control_points[i]));
+  }
+  return steps * DBL_EPSILON * largest;
+}
+
+enum ph_status ph_curve_is_near(const struct ph_curve *curve, double tolerance,
+                                struct ph_diag *diag) {
+  const double rounding = ph_curve_rounding(curve);
+  return tolerance < rounding
+             ? ph_fail(diag, PH_E_NO_CONVERGENCE, "tolerance",
+                       "is %.3g, and coordinates are rounded by up to %.3g: no "
+                       "approximation is known to be nearer",
+                       tolerance, rounding)
+             : PH_OK;
 }
 
 void ph_warn(struct ph_result *result, size_t segment, enum ph_status status,

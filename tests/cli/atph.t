@@ -209,8 +209,8 @@ equal 'convert: a PH curve is its own' \
   "$(get segments) $(get diagnostics.conversion_error)"
 feed "{$atph}" planar --convert=bezier --tolerance=1e-30
 expect 'convert: a tolerance below rounding' 1 "phspline: -:1: record 1: \
-segments[0]: has no Bezier pieces within 1e-30 of the exact curve \
-[no-convergence]
+tolerance: is 1e-30, and coordinates are rounded by up to 1.07e-14: no \
+approximation is known to be nearer [no-convergence]
 $(failed 1 1)"
 for value in 0 -1 x 1e999 ''; do
   feed "{$atph}" planar --tolerance="$value"
@@ -335,3 +335,22 @@ equal 'many: results' 120 "$(wc -l <out.1 | tr -d ' ')"
 run planar --jobs=2 --offset=0.1 some.jsonl
 equal_files 'many, on two threads: results' out.1 out
 equal_files 'many, on two threads: messages' err.1 err
+
+# ---- rounding ------------------------------------------------------------------
+
+# coordinates that are rounded to 5e-4, of a curve of a million
+far='{"points":[[-1336436111841.5156,4648400603669.74],[-1336435613865.7344,
+  4648401080405.641],[-1336435123812.1191,4648401455998.396],[-1336434562000.3044,
+  4648401882396.039],[-1336435018939.5334,4648402149143.228],[-1336434685425.04,
+  4648402480977.326]],"basis":"atph"}'
+for option in --convert=bezier '-d 100' '-f svg-path' '-f dxf' '-f geojson'; do
+  # shellcheck disable=SC2086 # two words
+  feed "$far" planar -q $option
+  equal "far from the origin, $option" 0 "$status"
+done
+for option in '--convert=bezier --tolerance=1e-3' '-d 100 --tolerance=1e-3' \
+  '-f svg --tolerance=1e-3' '-f dxf --tolerance=1e-3'; do
+  # shellcheck disable=SC2086 # two words
+  feed "$far" planar -q $option
+  expect "nearer than rounding, $option" 1 'phspline: -:1: record 1: tolerance: is 0.001, and coordinates are rounded by up to 0.0165: no approximation is known to be nearer [no-convergence]'
+done

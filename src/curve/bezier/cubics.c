@@ -402,6 +402,14 @@ static enum ph_status cover(struct work *work, double u0, double u1,
     c[2] = ph_cplx_between(c[0], c[3], 2. / 3);
     return add(work, interval, c, error);
   }
+  status = depth > 0
+               ? PH_OK
+               : ph_curve_is_near(work->sampler.curve,
+                                  ph_pow2_apply(work->grow, work->tolerance),
+                                  work->diag);
+  if (status != PH_OK) {
+    return status;
+  }
   if (depth == DEPTH_MAX) {
     return no_convergence(work);
   }

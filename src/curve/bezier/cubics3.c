@@ -99,6 +99,12 @@ static enum ph_status visit(struct work *work, const struct end *a,
   if (error <= work->tolerance) {
     return add(work, a, b, c, error);
   }
+  status = depth > 0 ? PH_OK
+                     : ph_curve_is_near(work->sampler.curve, work->tolerance,
+                                        work->diag);
+  if (status != PH_OK) {
+    return status;
+  }
   if (depth == HALVINGS_MAX || work->n - work->before >= PIECES_MAX ||
       !isfinite(error)) {
     return ph_fail_at(

@@ -249,6 +249,12 @@ static enum ph_status visit(struct walk *walk, const struct jet *a, double u0,
   if (error <= walk->tolerance) {
     return found(walk, u0, u1, error);
   }
+  status = depth > 0
+               ? PH_OK
+               : ph_curve_is_near(walk->curve, walk->tolerance, walk->diag);
+  if (status != PH_OK) {
+    return status;
+  }
   if (!isfinite(error) && is_too_fast(walk)) {
     return ph_fail_at(walk->diag, PH_E_TOO_LARGE, "segments", walk->segment,
                       "has no Bezier pieces in the range of a double");
