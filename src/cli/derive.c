@@ -23,6 +23,13 @@ static double default_tolerance(double part, const struct ph_curve *curve) {
   return fmax(part * ph_curve_size(curve), ph_curve_rounding(curve));
 }
 
+/* That of Bezier pieces. */
+static double tolerance_of(const struct ph_options *o,
+                           const struct ph_curve *curve) {
+  return o->tolerance > 0 ? o->tolerance
+                          : default_tolerance(PH_TOLERANCE, curve);
+}
+
 /* Joints that a warning of gaps names. */
 enum { GAPS_NAMED = 8 };
 
@@ -213,14 +220,14 @@ static enum ph_status derive_paths(const struct ph_options *o,
 }
 
 /* Replaces a curve by Bezier curves. */
-static enum ph_status convert(double tolerance, struct ph_arena *arena,
-                              struct ph_curve *curve,
+static enum ph_status convert(const struct ph_options *o,
+                              struct ph_arena *arena, struct ph_curve *curve,
                               struct ph_diagnostics *diagnostics,
                               struct ph_diag *diag) {
   struct ph_curve bezier;
   double error;
-  enum ph_status status =
-      ph_bezier_curve(curve, tolerance, arena, &bezier, &error, diag);
+  enum ph_status status = ph_bezier_curve(curve, tolerance_of(o, curve), arena,
+                                          &bezier, &error, diag);
   if (status == PH_OK) {
     *curve = bezier;
     ph_diagnostics_set(diagnostics, PH_D_CONVERSION_ERROR, error);
@@ -228,12 +235,12 @@ static enum ph_status convert(double tolerance, struct ph_arena *arena,
   return status;
 }
 
-static enum ph_status convert_all(double tolerance, struct ph_arena *arena,
-                                  struct ph_result *r, struct ph_diag *diag) {
-  enum ph_status status =
-      convert(tolerance, arena, &r->curve, &r->diagnostics, diag);
+static enum ph_status convert_all(const struct ph_options *o,
+                                  struct ph_arena *arena, struct ph_result *r,
+                                  struct ph_diag *diag) {
+  enum ph_status status = convert(o, arena, &r->curve, &r->diagnostics, diag);
   for (size_t i = 0; status == PH_OK && i < r->solutions_n; i++) {
-    status = convert(tolerance, arena, &r->solutions[i].curve,
+    status = convert(o, arena, &r->solutions[i].curve,
                      &r->solutions[i].diagnostics, diag);
   }
   return status;
@@ -369,9 +376,7 @@ enum ph_status ph_derive(const struct ph_options *options,
   if (ph_kind_of(&result->curve)->parts != PH_SEGMENTS_PARTS) {
     return ph_derive_surface(o, arena, result, derived, diag);
   }
-  tolerance = o->tolerance > 0
-                  ? o->tolerance
-                  : default_tolerance(PH_TOLERANCE, &result->curve);
+  tolerance = tolerance_of(o, &result->curve);
   status = ph_enclosed_area(&result->curve, arena, &result->area, diag);
   if (status == PH_OK && o->offset_range) {
     status = derive_range(arena, result, diag);
@@ -392,7 +397,7 @@ enum ph_status ph_derive(const struct ph_options *options,
     status = derive_nurbs(tolerance, arena, result, diag);
   }
   if (status == PH_OK && o->convert) {
-    status = convert_all(tolerance, arena, result, diag);
+    status = convert_all(o, arena, result, diag);
   }
   if (status == PH_OK && rules.how) { /* of the segments in the record */
     status =

@@ -455,6 +455,10 @@ static void read_result(struct input *in, struct object *o) {
     ph_read_enter(in->r, parts);
     ph_read_fail(in->r, PH_E_MISSING_FIELD, "is missing: this is no result");
   }
+  if (!item_of(o, "status")->value) {
+    ph_read_enter(in->r, "status");
+    ph_read_fail(in->r, PH_E_MISSING_FIELD, "is missing");
+  }
   if (strcmp(parts, "segments") != 0) {
     in->result->curve.dimension = 3;
     read_slots(in, o, slots, ph_slots(o->of, &in->sizes, slots));

@@ -364,6 +364,7 @@ degree='degree: is not that of curves of the command (shape) [not-verified]'
 commands='"planar", "spatial-hermite", "arclength", "sphere", "tc", "cone" or "bubble"'
 for base in ph atph spatial lengths sphere tc; do
   says 'del(.command)' 'command: is missing [missing-field]'
+  says 'del(.status)' 'status: is missing [missing-field]'
   says '.command = "conic"' \
     "command: must be $commands, found \"conic\" [bad-value]"
   says '.command = "verify"' \

@@ -162,8 +162,8 @@ PH_TEST(test_heading) {
 /* What a record need not have is missing in the struct. */
 PH_TEST(test_missing) {
   static const char text[] =
-      "{\"curve\":\"ph\",\"dimension\":2,\"degree\":1,\"closed\":false,"
-      "\"segments\":[{\"control_points\":[[0,0],[1,0]]},"
+      "{\"status\":\"ok\",\"curve\":\"ph\",\"dimension\":2,\"degree\":1,"
+      "\"closed\":false,\"segments\":[{\"control_points\":[[0,0],[1,0]]},"
       "{\"control_points\":[[1,0],[2,0]]}]}";
   const struct ph_curve *c = &claim.result.curve;
   ck_assert_int_eq(read_text(text, sizeof text - 1), PH_OK);
