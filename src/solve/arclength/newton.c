@@ -137,9 +137,12 @@ static bool is_positive(const struct ph_arc_system *s, struct ph_arc_newton *w,
          ph_sym_factor(w->penalised, s->x_n, s->order_band);
 }
 
-/* Whether the Hessian, shifted, is positive definite on the null space of J. */
+/* Whether the Hessian, shifted, is positive definite on the null space of J.
+ * What rounding does to it is asked without a shift only: the next one is more.
+ */
 static bool is_convex(struct state *t) {
-  for (size_t k = 0; k < 4 && !ph_arena_late(t->w->arena); k++) {
+  const size_t tries = t->shift > 0 ? 2 : 4;
+  for (size_t k = 0; k < tries && !ph_arena_late(t->w->arena); k++) {
     struct ph_arc_weights weights = {1, t->shift, PIN, k < 2 ? 0 : ALARM};
     if (is_positive(t->s, t->w, t->p->x, t->p->y,
                     PENALTY[k % 2] * (1 + t->y_size), &weights)) {
