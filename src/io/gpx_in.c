@@ -147,6 +147,12 @@ static bool is_due(const struct ph_buf *list) {
 static void take_text(struct ph_xml_in *xml) {
   const char *p = xml->text.data, *end = p;
   double x;
+  if (xml->text.failed && !(xml->most && xml->text.n > xml->most)) {
+    struct ph_buf *to = xml->want == PH_GPX_NAME   ? &xml->id
+                        : xml->want == PH_GPX_TIME ? &xml->time
+                                                   : &xml->elevation;
+    to->failed = true;
+  }
   if (xml->text.failed || xml->text.n == 0) {
     return;
   }

@@ -438,6 +438,7 @@ bool ph_svg_next(struct ph_xml_in *xml) {
     ph_buf_put(&xml->problem, xml->meta.data, xml->meta.n);
     ph_buf_puts(&xml->problem, "}");
   }
+  xml->problem.failed = xml->problem.failed || xml->meta.failed;
   ph_buf_puts(&xml->problem, "}");
   xml->next_part++;
   return true;

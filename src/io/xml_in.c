@@ -39,6 +39,7 @@ void ph_xml_begin(struct ph_xml_in *xml, bool several) {
     snprintf(number, sizeof number, "/%zu\"", xml->parts);
     ph_buf_puts(&xml->problem, several ? number : "");
   }
+  xml->problem.failed = xml->problem.failed || xml->id.failed;
 }
 
 void ph_xml_fail(struct ph_xml_in *xml, enum ph_status status) {

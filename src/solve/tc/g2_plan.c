@@ -235,29 +235,34 @@ static size_t wanted_over(const struct ph_g2_chain *chain, size_t i,
   return n;
 }
 
+/* How many must be added in all; writes them where there is room. */
+static size_t want_all(const struct ph_g2_chain *chain,
+                       struct ph_g2_apex *apex) {
+  size_t total = 0, interval = 0;
+  for (size_t i = 0; i < chain->n; i++) {
+    struct ph_g2_apex two[2];
+    size_t here;
+    if (chain->node[i].datum != PH_G2_ADDED) {
+      interval = chain->node[i].datum;
+    }
+    here =
+        wanted_over(chain, i, chain->hard[interval] ? TURNS_SAFE : TURNS, two);
+    if (apex) {
+      memcpy(apex + total, two, here * sizeof *apex);
+    }
+    total += here;
+  }
+  return total;
+}
+
 /* All of them.  ret NULL when memory is exhausted */
 static struct ph_g2_apex *wanted(const struct ph_g2_chain *chain,
                                  struct ph_arena *arena, size_t *n) {
-  struct ph_g2_apex *apex = NULL;
-  for (size_t fill = 0; fill < 2; fill++) {
-    size_t total = 0, interval = 0;
-    for (size_t i = 0; i < chain->n; i++) {
-      struct ph_g2_apex two[2];
-      size_t here;
-      if (chain->node[i].datum != PH_G2_ADDED) {
-        interval = chain->node[i].datum;
-      }
-      here = wanted_over(chain, i, chain->hard[interval] ? TURNS_SAFE : TURNS,
-                         two);
-      if (apex) {
-        memcpy(apex + total, two, here * sizeof *apex);
-      }
-      total += here;
-    }
-    *n = total;
-    if (!apex) {
-      apex = ph_arena_array(arena, total, sizeof *apex);
-    }
+  struct ph_g2_apex *apex;
+  *n = want_all(chain, NULL);
+  apex = ph_arena_array(arena, *n, sizeof *apex);
+  if (apex) {
+    want_all(chain, apex);
   }
   return apex;
 }
