@@ -152,5 +152,5 @@ PH_TEST(test_refused) {
   ck_assert_int_eq(
       ph_bezier_curve(&c.curve, 1e-30, &unit_arena, &bezier, &error, &diag),
       PH_E_NO_CONVERGENCE);
-  ck_assert_str_eq(diag.field, "segments[0]");
+  ck_assert_str_eq(diag.field, "tolerance");
 }

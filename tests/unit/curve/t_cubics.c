@@ -466,5 +466,5 @@ PH_TEST(test_tolerance) {
   ck_assert_int_eq(
       ph_cubics_of(any.curve, NULL, 1e-300, &unit_arena, &cubics, &diag),
       PH_E_NO_CONVERGENCE);
-  ck_assert_str_eq(diag.field, "segments[0]");
+  ck_assert_str_eq(diag.field, "tolerance");
 }
