@@ -7,8 +7,8 @@
  * The seed is 1, or PH_SEED.  `make check-long' takes many, PH_TRIALS=N in
  * PH_JOBS threads, and tells while it goes what became of them, a line for each
  * thousand, and by commands, fields and options.  PH_FROM=I begins at problem
- * I, to go on with a run that ended; PH_TRIAL=I takes problem I alone, and
- * prints it as it is, and smaller where it is wrong.  PH_GATE=curves or
+ * I, to go on with a run that ended, up to N; PH_TRIAL=I takes problem I alone,
+ * and prints it as it is, and smaller where it is wrong.  PH_GATE=curves or
  * surfaces: only the problems of these, each of which have numbers of their
  * own.
  */
@@ -282,6 +282,7 @@ static void run(struct gate *gate, size_t trials) {
     gate->next = gate->only;
     gate->trials = gate->only + 1;
   }
+  ck_assert_msg(gate->next < gate->trials, "PH_FROM must be below PH_TRIALS");
   jobs = jobs < JOBS ? jobs : JOBS;
   for (size_t i = 0; i < jobs; i++) {
     ck_assert_int_eq(pthread_create(&thread[i], NULL, work, gate), 0);

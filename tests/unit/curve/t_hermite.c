@@ -123,7 +123,7 @@ PH_TEST_EACH(test_joints, 2) {
   }
 }
 
-/* What no halving can reach is refused, and the segment is named. */
+/* What no halving can reach is refused. */
 PH_TEST(test_refused) {
   ck_assert_int_eq(convert(0, 1e-30), PH_E_NO_CONVERGENCE);
   ck_assert_str_eq(u.diag.field, "tolerance");
