@@ -279,8 +279,12 @@ static bool solve_some_blocks(void *context, size_t thread, size_t first,
   const size_t nodes = b->s->chain->nodes_n;
   (void)thread;
   for (size_t i = first; i < end; i++) {
-    struct ph_arena work = ph_arena_beside(b->s->arena);
+    struct ph_arena work = {0}; /* budgets are of one thread */
     const size_t from = i * BLOCK;
+    if (ph_arena_late(b->s->arena)) {
+      b->block[i] = (struct block){PH_E_NO_CONVERGENCE, 0};
+      continue;
+    }
     b->block[i].status =
         solve_block(b->s, from, nodes - from < BLOCK ? nodes - from : BLOCK,
                     &work, &b->block[i].iterations);
