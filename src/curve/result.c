@@ -122,7 +122,7 @@ double ph_curve_rounding(const struct ph_curve *curve) {
 enum ph_status ph_curve_is_near(const struct ph_curve *curve, double tolerance,
                                 struct ph_diag *diag) {
   const double rounding = ph_curve_rounding(curve);
-  return tolerance < rounding
+  return !(tolerance >= rounding)
              ? ph_fail(diag, PH_E_NO_CONVERGENCE, "tolerance",
                        "is %.3g, and coordinates are rounded by up to %.3g: no "
                        "approximation is known to be nearer",

@@ -7,6 +7,7 @@
  */
 #include "io/dxf_out.h"
 
+#include "curve/kind/kind.h"
 #include "curve/surface/grid.h"
 #include "io/number.h"
 
@@ -314,7 +315,7 @@ void ph_dxf_out(struct ph_buf *buf, const char *id, size_t number,
                 const struct ph_pieces *paths) {
   struct context c = {buf, id, (uint64_t)number << RESULT_BITS,
                       result->curve.dimension, downward};
-  if (result->curve.kind == PH_CURVE_CONE) {
+  if (ph_kind_of(&result->curve)->parts == PH_STRIPS_PARTS) {
     c.dimension = 2;
     pattern(&c, &result->curve, &paths[0], NULL);
     for (size_t i = 0; i < result->parallels_n; i++) {

@@ -2,6 +2,7 @@
 /* The table of formats (see format.h). */
 #include "io/format.h"
 
+#include "curve/kind/kind.h"
 #include "curve/surface/grid.h"
 #include "io/dxf_out.h"
 #include "io/gcode_out.h"
@@ -115,7 +116,7 @@ static void drawing_solved(struct ph_buf *buf, const struct ph_print *print,
     const struct ph_parallel *parallel =
         i > 0 && !o ? &r->parallels[i - 1] : NULL;
     name.distance = o ? &o->distance : parallel ? &parallel->distance : NULL;
-    if (r->curve.kind == PH_CURVE_CONE) {
+    if (ph_kind_of(&r->curve)->parts == PH_STRIPS_PARTS) {
       pattern_solved(buf, s, parallel ? &parallel->curve : &r->curve,
                      &s->paths[i], &name);
     } else {
