@@ -67,6 +67,11 @@ struct task {
   bool at_bound;
 };
 
+/* Whether the angles of a segment are looked for, by its criterion. */
+static bool searches(const struct task *t) {
+  return !t->angles && t->criterion->functional;
+}
+
 /* ---- reading -------------------------------------------------------- */
 
 static enum ph_status set_criterion(const struct ph_problem *problem,
@@ -84,8 +89,7 @@ static enum ph_status set_criterion(const struct ph_problem *problem,
     return ph_fail(diag, PH_E_BAD_VALUE, "criterion",
                    "excludes angles, which are given in its place");
   }
-  if (t->points.atph && !t->points.alpha &&
-      (t->angles || !t->criterion->functional)) {
+  if (t->points.atph && !t->points.alpha && !searches(t)) {
     return ph_fail(diag, PH_E_MISSING_FIELD, "alpha",
                    "is missing: only the criteria F1, F2 and F3 choose it");
   }
@@ -269,8 +273,7 @@ static enum ph_status fit_segment(const struct task *t, size_t k,
   struct choice choice = {.task = t, .segment = k, .data = *data, .diag = diag};
   struct ph_atph space =
       t->points.alpha ? ph_atph_of(t->points.alpha[k]) : t->space;
-  ph_spatial_choice *choose =
-      t->angles || !t->criterion->functional ? choose_member : choose_fairest;
+  ph_spatial_choice *choose = searches(t) ? choose_fairest : choose_member;
   enum ph_status status;
   if (t->points.derivatives && t->points.alpha) {
     data->ni *= t->points.alpha[k];
@@ -328,7 +331,7 @@ static void count_segment(struct task *t, size_t k, const struct found *found) {
     t->first_unsatisfied = k;
     t->why = why_unsatisfied(&found->data, best->fit.violated);
   }
-  if (t->angles || !t->criterion->functional) {
+  if (!searches(t)) {
     t->evaluations += best->tried;
   } else {
     t->functional += functional_of(t, k, &best->fit);
@@ -389,7 +392,7 @@ static bool find_some(void *context, size_t thread, size_t first, size_t end) {
  * for each, which is for one to take. */
 static void find_block(struct block *b, size_t n) {
   const struct task *t = b->task;
-  const bool takes = !t->angles && t->criterion->functional;
+  const bool takes = searches(t);
   ph_team_share(t->scratch, n, takes ? n + 1 : WORTH, takes ? 1 : CHUNK,
                 find_some, b);
 }
@@ -482,7 +485,7 @@ static void report(const struct task *t) {
   ph_diagnostics_set(d, PH_D_ITERATIONS, (double)t->evaluations);
   ph_diagnostics_set(d, PH_D_RESIDUAL, t->residual);
   ph_diagnostics_set(d, PH_D_REDUCED, (double)t->reduced);
-  if (!t->angles && t->criterion->functional) {
+  if (searches(t)) {
     ph_diagnostics_set_finite(d, PH_D_FUNCTIONAL, t->functional);
     if (t->points.atph && !t->points.alpha) {
       ph_diagnostics_set(d, PH_D_AT_BOUND, t->at_bound);
