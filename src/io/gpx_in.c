@@ -40,6 +40,7 @@ static void begin_line(struct ph_xml_in *xml, size_t line) {
   xml->points.most = xml->elevation.most = xml->time.most = xml->most;
   xml->line = xml->points_line = line;
   xml->line_status = PH_OK;
+  xml->over = xml->over && xml->id.failed;
 }
 
 /* The line that is held becomes a problem. */
@@ -147,11 +148,10 @@ static bool is_due(const struct ph_buf *list) {
 static void take_text(struct ph_xml_in *xml) {
   const char *p = xml->text.data, *end = p;
   double x;
-  if (xml->text.failed && !(xml->most && xml->text.n > xml->most)) {
-    struct ph_buf *to = xml->want == PH_GPX_NAME   ? &xml->id
-                        : xml->want == PH_GPX_TIME ? &xml->time
-                                                   : &xml->elevation;
-    to->failed = true;
+  if (xml->text.failed && xml->want == PH_GPX_NAME) {
+    xml->id.failed = true; /* of all lines of the track */
+  } else if (xml->text.failed) {
+    xml->line_status = ph_xml_fail_memory(xml, xml->over);
   }
   if (xml->text.failed || xml->text.n == 0) {
     return;

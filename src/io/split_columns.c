@@ -556,6 +556,13 @@ static enum ph_status columns_by_row(struct ph_split *split, const char *row,
         "the file has no header row: --columns=lon,lat or "
         "--columns=lat,lon must say which of its 2 columns is which");
   }
+  if (numeric && census.cells == 3 && !split->options.ignore_columns &&
+      find_name(split->schema, "z", 1) == NAMES) {
+    return ph_fail(diag, PH_E_UNKNOWN_FIELD, NULL,
+                   "the file has no header row and 3 columns, and %s takes x "
+                   "and y (--columns=x,y,- skips the third)",
+                   split->schema->command);
+  }
   if (numeric && (census.cells == 2 || census.cells == 3)) {
     status = ph_split_columns(split, "x,y,z", 2 * census.cells - 1, ',', false,
                               &split->csv.columns, diag);

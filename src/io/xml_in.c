@@ -113,10 +113,13 @@ void ph_xml_end(struct ph_xml_in *xml) {
 }
 
 void ph_xml_text(struct ph_xml_in *xml, const char *text, size_t n) {
-  if (xml->want && !xml->hidden) {
-    xml->text.most = xml->most;
-    ph_buf_put(&xml->text, text, n);
+  if (!xml->want || xml->hidden || xml->text.failed) {
+    return;
   }
+  if (xml->most && n > xml->most - xml->text.n) {
+    xml->text.failed = xml->over = true;
+  }
+  ph_buf_put(&xml->text, text, n);
 }
 
 enum ph_status ph_xml_fail_memory(struct ph_xml_in *xml, bool over) {
@@ -132,7 +135,8 @@ bool ph_xml_next(struct ph_xml_in *xml) {
   const struct ph_buf *p = &xml->problem;
   xml->ready = false;
   if (next && xml->status == PH_OK && p->failed) {
-    xml->status = ph_xml_fail_memory(xml, xml->most && p->n > xml->most);
+    xml->status =
+        ph_xml_fail_memory(xml, xml->over || (xml->most && p->n > xml->most));
     xml->problem.n = 0;
   }
   return next;

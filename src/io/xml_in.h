@@ -65,6 +65,7 @@ struct ph_xml_in {
   size_t points_n, points_line; /* so many; the line of the last one */
   enum ph_status line_status;   /* of the line so far */
   bool has_elevation, has_time, held;
+  bool over; /* a text is longer than a record may be */
 };
 
 /* ph_xml_start, ph_xml_end, ph_xml_text: an element begins, with its attributes

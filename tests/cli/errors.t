@@ -342,8 +342,8 @@ bad_csv 3 1:1 '' unknown-field \
   "column \"kont\" is unknown to planar; did you mean \"knot\"? $skip" \
   'kont,x,y\n0,0,1\n1,1,1\n'
 bad_csv 3 1:5 '' unknown-field "column 3 has no name $skip" 'x,y,\n0,0,\n'
-bad_csv 3 1:1 '' unknown-field "column \"z\" is unknown to planar $skip" \
-  '0,0,0\n1,1,0\n'
+bad_csv 3 1:1 '' unknown-field "the file has no header row and 3 columns, and \
+planar takes x and y (--columns=x,y,- skips the third)" '0,0,0\n1,1,0\n'
 bad_csv 3 1:3 '' bad-value "columns 1 and 2 (\"X\") are the same (--columns can skip it)" \
   'x,X\n0,0\n1,1\n'
 bad_csv 3 1:3 '' bad-value "columns 1 and 2 (\"x_m\") are the same (--columns can skip it)" \

@@ -51,6 +51,33 @@ equal 'names, and their segments' \
 expect 'a point without a number' 1 \
   'phspline: garmin.gpx:19: record 3: lat: must be a number [bad-value]'
 
+# texts of two segments and a route, the first longer than a record may be: of
+# the name, or of one point
+texts() {
+  printf '<gpx><trk><name>%s</name>\n' "$1"
+  printf '<trkseg><trkpt lat="1" lon="2"><%s>%s</%s></trkpt>' "$2" "$3" "$2"
+  printf '<trkpt lat="2" lon="2"/></trkseg>\n'
+  printf '<trkseg><trkpt lat="3" lon="2"/><trkpt lat="4" lon="2"/></trkseg>\n'
+  printf '</trk><rte><name>r</name><rtept lat="3" lon="2"/>'
+  printf '<rtept lat="4" lon="2"/></rte></gpx>'
+}
+over='the record is longer than the 200 bytes of --max-record-bytes'
+long=$(printf '%0201d' 1)
+texts "$long" ele 1 | "$PHSPLINE" sphere --max-record-bytes=200 \
+  >out 2>err || :
+told='.status + (if .error then " " + .error.message else "" end)'
+equal 'a name longer than a record' "error $over
+error $over
+ok" "$(jq -r "$told" out)"
+for element in ele time; do
+  texts a "$element" "$long" | "$PHSPLINE" sphere --max-record-bytes=200 \
+    >out 2>err || :
+  equal "$element longer than a record" \
+    "error $over
+ok
+ok" "$(jq -r "$told" out)"
+done
+
 cat >track.gpx <<'END'
 <gpx><trk>
 <name>a</name>

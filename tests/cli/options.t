@@ -86,8 +86,8 @@ equal 'a list without brackets' '0 [0,1] [1,3]' \
 feed '{}' planar --points='[[0,0],[3,4]]'
 equal 'points as an option, for a problem without' '0 5' "$status $(get length)"
 feed '' planar --points='[[0,0],[3,4]]'
-expect 'no problem, no result' 0 \
-  'phspline: there is no problem in standard input' ''
+expect 'no problem, no result' 0 "phspline: there is no problem in standard \
+input ({} is one whose fields are those of the options)" ''
 feed '{"basis":"ph","points":[[0,0],[3,4]]}' planar --basis=ph
 equal 'basis' '0 5' "$status $(get length)"
 feed '{"points":5}' planar --set points='[[0,0],[3,4]]'
