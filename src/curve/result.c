@@ -119,9 +119,8 @@ double ph_curve_rounding(const struct ph_curve *curve) {
   return steps * DBL_EPSILON * largest;
 }
 
-enum ph_status ph_curve_is_near(const struct ph_curve *curve, double tolerance,
-                                struct ph_diag *diag) {
-  const double rounding = ph_curve_rounding(curve);
+enum ph_status ph_rounding_allows(double rounding, double tolerance,
+                                  struct ph_diag *diag) {
   return !(tolerance >= rounding)
              ? ph_fail(diag, PH_E_NO_CONVERGENCE, "tolerance",
                        "is %.3g, and coordinates are rounded by up to %.3g: no "

@@ -562,10 +562,13 @@ double ph_curve_size(const struct ph_curve *curve);
  * coordinates are rounded: no approximation is nearer. */
 double ph_curve_rounding(const struct ph_curve *curve);
 
-/* ph_curve_is_near: whether an approximation can be so near to the curve at
- * all. ret  PH_OK | PH_E_NO_CONVERGENCE, with the message */
-enum ph_status ph_curve_is_near(const struct ph_curve *curve, double tolerance,
-                                struct ph_diag *diag);
+/* ph_rounding_allows: whether an approximation can be so near to the curve at
+ * all.
+ *
+ * in   rounding  as above; who asks often finds it once
+ * ret  PH_OK | PH_E_NO_CONVERGENCE, with the message */
+enum ph_status ph_rounding_allows(double rounding, double tolerance,
+                                  struct ph_diag *diag);
 
 /* ph_curve_name: the name of a curve kind, as in records. */
 const char *ph_curve_name(enum ph_curve_kind kind);

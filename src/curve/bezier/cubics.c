@@ -51,6 +51,7 @@ struct work {
   struct ph_diag *diag;
   struct ph_pow2 grow, shrink;
   double tolerance;
+  double rounding; /* in the unit of the data */
   struct piece *pieces;
   size_t n, room, before; /* pieces of earlier segments */
   bool meets;             /* a piece begins where the one before ends */
@@ -404,9 +405,9 @@ static enum ph_status cover(struct work *work, double u0, double u1,
   }
   status = depth > 0
                ? PH_OK
-               : ph_curve_is_near(work->sampler.curve,
-                                  ph_pow2_apply(work->grow, work->tolerance),
-                                  work->diag);
+               : ph_rounding_allows(work->rounding,
+                                    ph_pow2_apply(work->grow, work->tolerance),
+                                    work->diag);
   if (status != PH_OK) {
     return status;
   }
@@ -530,6 +531,7 @@ enum ph_status ph_cubics_of(const struct ph_curve *curve,
                       .shrink = ph_pow2_of(-exponent)};
   enum ph_status status = PH_OK;
   work.tolerance = ph_pow2_apply(work.shrink, tolerance);
+  work.rounding = ph_curve_rounding(curve);
   for (size_t i = 0; loops && status == PH_OK && i < loops->n; i++) {
     status = ph_sampler_begin_loop(&work.sampler, curve, offset, &loops->v[i],
                                    arena, diag);

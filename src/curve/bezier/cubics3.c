@@ -22,7 +22,7 @@ struct end {
 
 struct work {
   struct ph_sampler sampler;
-  double tolerance;
+  double tolerance, rounding;
   struct ph_arena *arena;
   struct ph_diag *diag;
   struct piece *pieces;
@@ -100,8 +100,8 @@ static enum ph_status visit(struct work *work, const struct end *a,
     return add(work, a, b, c, error);
   }
   status = depth > 0 ? PH_OK
-                     : ph_curve_is_near(work->sampler.curve, work->tolerance,
-                                        work->diag);
+                     : ph_rounding_allows(work->rounding, work->tolerance,
+                                          work->diag);
   if (status != PH_OK) {
     return status;
   }
@@ -162,7 +162,10 @@ enum ph_status ph_cubics3_of(const struct ph_curve *curve,
                              const struct ph_offset *offset, double tolerance,
                              struct ph_arena *arena, struct ph_pieces *cubics,
                              struct ph_diag *diag) {
-  struct work work = {.tolerance = tolerance, .arena = arena, .diag = diag};
+  struct work work = {.tolerance = tolerance,
+                      .rounding = ph_curve_rounding(curve),
+                      .arena = arena,
+                      .diag = diag};
   enum ph_status status =
       ph_sampler_begin(&work.sampler, curve, offset, arena, diag);
   size_t cusp = 0;

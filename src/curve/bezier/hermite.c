@@ -43,7 +43,7 @@ struct part {
 
 struct walk {
   const struct ph_curve *curve;
-  double distance, tolerance;
+  double distance, tolerance, rounding;
   enum ph_normal normal;
   struct ph_quad rule;
   size_t segment, before; /* pieces of those before it */
@@ -249,9 +249,9 @@ static enum ph_status visit(struct walk *walk, const struct jet *a, double u0,
   if (error <= walk->tolerance) {
     return found(walk, u0, u1, error);
   }
-  status = depth > 0
-               ? PH_OK
-               : ph_curve_is_near(walk->curve, walk->tolerance, walk->diag);
+  status = depth > 0 ? PH_OK
+                     : ph_rounding_allows(walk->rounding, walk->tolerance,
+                                          walk->diag);
   if (status != PH_OK) {
     return status;
   }
@@ -329,6 +329,7 @@ enum ph_status ph_hermite_pieces(const struct ph_curve *curve, double distance,
   struct walk walk = {.curve = curve,
                       .distance = distance,
                       .tolerance = tolerance,
+                      .rounding = ph_curve_rounding(curve),
                       .normal = normal,
                       .pieces = pieces,
                       .end = &parts,
