@@ -93,14 +93,15 @@ void ph_message_failure(struct ph_buf *buf, const struct ph_diag *diag,
 }
 
 void ph_message_empty(struct ph_buf *buf, const char *record,
-                      const char *const *files, size_t n, const char *remedy) {
+                      const char *const *files, size_t n, bool set) {
   ph_message_printf(buf, "phspline: there is no %s in ", record);
   for (size_t i = 0; i < n; i++) {
     const bool standard = strcmp(files[i], "-") == 0;
     ph_message_printf(buf, "%s%s", i > 0 ? ", " : "",
                       standard ? "standard input" : files[i]);
   }
-  ph_message_printf(buf, "%s\n", remedy);
+  ph_buf_puts(buf, set ? " ({} is one whose fields are those of the options)\n"
+                       : "\n");
 }
 
 void ph_message_send(struct ph_buf *buf) {

@@ -34,10 +34,10 @@ void ph_message_warning(struct ph_buf *buf, const struct ph_subject *subject,
 void ph_message_failure(struct ph_buf *buf, const struct ph_diag *diag,
                         const char *command);
 
-/* ph_message_empty: appends that there is no such record in n files, and the
- * remedy, in parentheses after a blank, or "". */
+/* ph_message_empty: appends that there is no such record in n files; `set`:
+ * though options set its fields. */
 void ph_message_empty(struct ph_buf *buf, const char *record,
-                      const char *const *files, size_t n, const char *remedy);
+                      const char *const *files, size_t n, bool set);
 
 /* ph_message_subject: the beginning of a line, up to the record. */
 void ph_message_subject(struct ph_buf *buf, const struct ph_subject *subject);

@@ -516,11 +516,9 @@ static void tell_empty(struct run *r) {
   const struct ph_options *o = r->options;
   if (o->input.part.how == PH_PART_ALL && r->progress.read == 0 &&
       r->class == PH_CLASS_OK && !o->quiet) {
-    ph_message_empty(
-        &r->message, o->command->use == PH_USE_VERIFY ? "result" : "problem",
-        o->files, o->files_n,
-        o->assignments_n ? " ({} is one whose fields are those of the options)"
-                         : "");
+    ph_message_empty(&r->message,
+                     o->command->use == PH_USE_VERIFY ? "result" : "problem",
+                     o->files, o->files_n, o->assignments_n > 0);
   }
 }
 
