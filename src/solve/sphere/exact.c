@@ -264,9 +264,13 @@ static void derive(const struct end e[2], const struct acceleration a6[2],
   }
 }
 
-/* From P to the middle of the great circle from P to P + d. */
+/* From P to the middle of the great circle from P to P + d; where that is long,
+ * by its length, as cosine has lost digits. */
 static ph_vec3 half_way(ph_vec3 p, ph_vec3 d) {
   double y = ph_vec3_dot(d, d) / 4, cosine = sqrt(1 - y);
+  if (y > 0.5) {
+    return ph_vec3_sub(ph_vec3_unit(ph_vec3_along(d, 2, p)), p);
+  }
   return ph_vec3_along(ph_vec3_scale(0.5 / cosine, d),
                        y / (cosine * (1 + cosine)), p);
 }
@@ -395,37 +399,36 @@ static double reach(const struct ph_sphere_spline *s, size_t i) {
 }
 
 /* No velocities, but those that are given. */
-static void hug(struct ph_sphere_spline *s) {
+static void hug(struct ph_sphere_spline *s, struct ph_sphere_range range) {
   const struct ph_sphere_data *d = s->data;
-  for (size_t i = 0; i < d->n; i++) {
-    s->x[i] = ph_vec3_of(0, 0, 0);
+  bool clamped = d->ends == PH_SPHERE_CLAMPED;
+  for (size_t j = 0; j < range.count; j++) {
+    s->x[ph_sphere_node(d, range, j)] = ph_vec3_of(0, 0, 0);
   }
-  if (d->ends == PH_SPHERE_CLAMPED) {
-    s->x[0] = d->end[0];
-    s->x[d->n - 1] = d->end[1];
+  if (!d->closed) {
+    s->x[0] = clamped ? d->end[0] : ph_vec3_of(0, 0, 0);
+    s->x[d->n - 1] = clamped ? d->end[1] : ph_vec3_of(0, 0, 0);
   }
 }
 
 /* Velocities of the parabola through three nodes, times a factor.  With factor
  * 0, one step of Newton's iteration is the nu-spline of the plane, wrapped
  * around the sphere. */
-static bool start(struct ph_sphere_spline *s, size_t which,
-                  struct ph_sphere_work *work) {
+static bool start(struct ph_sphere_spline *s, struct ph_sphere_range range,
+                  size_t which, struct ph_sphere_work *work) {
   static const double factors[] = {0, 1, 0.5, 2, -1};
   const struct ph_sphere_data *d = s->data;
   (void)work;
   if (which >= sizeof factors / sizeof factors[0]) {
     return false;
   }
-  hug(s);
-  for (size_t i = 0; which > 0 && i < d->n; i++) {
-    if (!ph_sphere_is_end(d, i)) {
-      size_t before = ph_sphere_before(d, i);
-      double a = d->h[before], b = d->h[i], f = factors[which] / (a + b);
-      ph_vec3 to = ph_s2_log(d->p[i], d->p[ph_sphere_next(d, i)]);
-      ph_vec3 from = ph_s2_log(d->p[i], d->p[before]);
-      s->x[i] = ph_vec3_along(ph_vec3_scale(f * a / b, to), -f * b / a, from);
-    }
+  hug(s, range);
+  for (size_t j = 0; which > 0 && j < range.count; j++) {
+    size_t i = ph_sphere_node(d, range, j), before = ph_sphere_before(d, i);
+    double a = d->h[before], b = d->h[i], f = factors[which] / (a + b);
+    ph_vec3 to = ph_s2_log(d->p[i], d->p[ph_sphere_next(d, i)]);
+    ph_vec3 from = ph_s2_log(d->p[i], d->p[before]);
+    s->x[i] = ph_vec3_along(ph_vec3_scale(f * a / b, to), -f * b / a, from);
   }
   return true;
 }

@@ -151,8 +151,8 @@ static enum ph_status find(struct task *t) {
       !ph_sphere_work_alloc(&t->work, t->scratch, t->data.n)) {
     return ph_fail_memory(t->diag);
   }
-  if (!ph_sphere_solve(&t->spline, &t->work) &&
-      !(t->keep_shape && ph_sphere_solve_tense(&t->spline, &t->work))) {
+  if (!(t->keep_shape ? ph_sphere_solve_tense(&t->spline, &t->work)
+                      : ph_sphere_solve(&t->spline, &t->work))) {
     return fail_spline(t, "these tensions");
   }
   if (!t->keep_shape) {

@@ -66,8 +66,11 @@ bool ph_sphere_work_alloc(struct ph_sphere_work *work, struct ph_arena *arena,
   work->kept = ph_arena_array(arena, n, sizeof *work->kept);
   work->tension = ph_arena_array(arena, n, sizeof *work->tension);
   work->held = ph_arena_array(arena, n, sizeof *work->held);
+  work->aim = ph_arena_array(arena, n, sizeof *work->aim);
+  work->given = ph_arena_array(arena, n, sizeof *work->given);
   return ph_block2_alloc(&work->system, arena, n) && work->step &&
-         work->before && work->kept && work->tension && work->held;
+         work->before && work->kept && work->tension && work->held &&
+         work->aim && work->given;
 }
 
 bool ph_sphere_spline_alloc(struct ph_sphere_spline *s,
@@ -258,15 +261,8 @@ void ph_sphere_step(struct ph_sphere_spline *s, struct ph_sphere_range range,
   evaluate(s, range, 0, work);
 }
 
-/*
- * Newton's iteration after relaxation, from farther away.
- *
- * in    tau  what is added to the diagonal in the first step, where it is about
- *            1: small tau means long steps
- * inout s    x, which is anything afterwards if no solution was found
- */
-static bool relax_from(struct ph_sphere_spline *s, struct ph_sphere_range range,
-                       double tau, struct ph_sphere_work *work) {
+bool ph_sphere_relax(struct ph_sphere_spline *s, struct ph_sphere_range range,
+                     double tau, struct ph_sphere_work *work) {
   struct miss miss = evaluate(s, range, tau, work);
   for (size_t step = 0;
        step < RELAX_MAX && !(miss.rms <= NEAR) && !ph_arena_late(work->arena);
@@ -283,128 +279,14 @@ static bool relax_from(struct ph_sphere_spline *s, struct ph_sphere_range range,
   return ph_sphere_newton(s, range, work);
 }
 
-/* ---- from nothing -------------------------------------------------------- */
-
-/*
- * Ways to a spherical nu-spline (see sphere.h).
- *
- * Continuation: at tensions nu + sigma (4/h_i + 4/h_{i+1}) the spline hugs its
- * data when sigma is large; sigma falls to 0 by factors that adapt to how the
- * iteration gets on.
- */
-
-enum { DESCENTS_MAX = 200 /* values of sigma */ };
-
-/* Continuation: the first sigma, the one from which 0 is tried, the first and
- * the smallest factor, and the one that is too near 1. */
-static const double SIGMA_MAX = 64;
-static const double SIGMA_MIN = 1e-2;
-static const double FACTOR = 0.5;
-static const double FACTOR_MIN = 0.25;
-static const double FACTOR_MAX = 0.999;
-
-/* Relaxation: what tau it begins with. */
-static const double TAU[] = {4, 1, 0.25};
-
-/* ---- continuation -------------------------------------------------------- */
-
-/* Tensions at sigma, towards those aimed at. */
-static void set_tensions(struct ph_sphere_spline *s, double sigma,
-                         const double *aim) {
-  const struct ph_sphere_data *d = s->data;
-  struct ph_sphere_range all = ph_sphere_all(d);
-  for (size_t j = 0; j < all.count; j++) {
-    size_t i = ph_sphere_node(d, all, j);
-    s->nu[i] = aim[i] + sigma * ph_sphere_stiffness(d, i);
-  }
-}
-
-/* From sigma, where x is a solution, as far down as it goes: to 0 if true. */
-static bool descend(struct ph_sphere_spline *s, struct ph_sphere_work *work) {
-  struct ph_sphere_range all = ph_sphere_all(s->data);
-  double sigma = SIGMA_MAX, factor = FACTOR;
-  for (size_t i = 0; i < DESCENTS_MAX && !ph_arena_late(work->arena); i++) {
-    double next = sigma > SIGMA_MIN ? sigma * factor : 0;
-    set_tensions(s, next, work->tension);
-    if (ph_sphere_newton(s, all, work)) {
-      sigma = next;
-      factor = factor * sqrt(factor);
-      factor = factor > FACTOR_MIN ? factor : FACTOR_MIN;
-      if (!(sigma > 0)) {
-        return true;
-      }
-    } else {
-      factor = sqrt(factor);
-      if (factor > FACTOR_MAX || !(sigma > SIGMA_MIN)) {
-        return false;
-      }
-    }
-  }
-  return false;
-}
-
-/* By continuation; the tensions are the same afterwards. */
-static bool follow(struct ph_sphere_spline *s, struct ph_sphere_work *work) {
-  size_t size = s->data->n * sizeof *s->nu;
-  bool solved;
-  memcpy(work->tension, s->nu, size);
-  s->model->hug(s);
-  set_tensions(s, SIGMA_MAX, work->tension);
-  solved =
-      ph_sphere_newton(s, ph_sphere_all(s->data), work) && descend(s, work);
-  memcpy(s->nu, work->tension, size);
-  return solved;
-}
-
-/* ---- other starts -------------------------------------------------------- */
-
-static bool relax(struct ph_sphere_spline *s, struct ph_sphere_work *work) {
-  for (size_t t = 0; t < sizeof TAU / sizeof TAU[0]; t++) {
-    for (size_t which = 0;
-         !ph_arena_late(work->arena) && s->model->start(s, which, work);
-         which++) {
-      if (relax_from(s, ph_sphere_all(s->data), TAU[t], work)) {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
-bool ph_sphere_solve(struct ph_sphere_spline *s, struct ph_sphere_work *work) {
-  struct ph_sphere_range all = ph_sphere_all(s->data);
-  s->model->start(s, 0, work);
-  return ph_sphere_newton(s, all, work) || follow(s, work) || relax(s, work) ||
-         (s->model->last_resort && s->model->last_resort(s, work));
-}
-
-/* ---- more tension than was asked for ------------------------------------- */
-
-/* Falls of sigma so near to 1 are a fold: the spline does not go on below it.
- */
-static const double FACTOR_FOLD = 0.9;
-
-/* Tensions at sigma, but at nodes that are held at their own. */
-static void set_held(struct ph_sphere_spline *s, double sigma,
-                     const double *aim, const double *held) {
-  set_tensions(s, sigma, aim);
-  for (size_t i = 0; i < s->data->n; i++) {
-    if (held[i] > 0 && !ph_sphere_is_end(s->data, i)) {
-      s->nu[i] = aim[i] + held[i] * ph_sphere_stiffness(s->data, i);
-    }
-  }
-}
-
-/* The node that a Newton step from x, which solved larger tensions, moves
- * most: beside a fold that is where it is. */
-static size_t fold_at(struct ph_sphere_spline *s, struct ph_sphere_work *work) {
-  struct ph_sphere_range all = ph_sphere_all(s->data);
+size_t ph_sphere_fold(struct ph_sphere_spline *s, struct ph_sphere_range range,
+                      struct ph_sphere_work *work) {
   double most = -1;
-  size_t at = all.first;
-  evaluate(s, all, 0, work);
-  step_of(s, all, work);
-  for (size_t j = 0; j < all.count; j++) {
-    size_t i = ph_sphere_node(s->data, all, j);
+  size_t at = range.first;
+  evaluate(s, range, 0, work);
+  step_of(s, range, work);
+  for (size_t j = 0; j < range.count; j++) {
+    size_t i = ph_sphere_node(s->data, range, j);
     double move =
         s->model->reach(s, i) * hypot(work->step[j][0], work->step[j][1]);
     if (move > most) {
@@ -413,67 +295,4 @@ static size_t fold_at(struct ph_sphere_spline *s, struct ph_sphere_work *work) {
     }
   }
   return at;
-}
-
-/* Holds the nodes about one at sigma, as many as it takes for one that was
- * not.  ret false: all are */
-static bool hold(const struct ph_sphere_data *d, size_t at, double sigma,
-                 double *held) {
-  for (size_t by = 1; by <= d->n; by *= 2) {
-    struct ph_sphere_range range = ph_sphere_widen(d, at, 1, by);
-    bool some = false;
-    for (size_t j = 0; j < range.count; j++) {
-      size_t i = ph_sphere_node(d, range, j);
-      some = some || !(held[i] > 0);
-      held[i] = held[i] > 0 ? held[i] : sigma;
-    }
-    if (some) {
-      return true;
-    }
-  }
-  return false;
-}
-
-/* As descend; where it would end, the nodes that it ends at keep their sigma.
- */
-static bool descend_held(struct ph_sphere_spline *s,
-                         struct ph_sphere_work *work, double *held) {
-  struct ph_sphere_range all = ph_sphere_all(s->data);
-  double sigma = SIGMA_MAX, factor = FACTOR;
-  for (size_t i = 0; i < DESCENTS_MAX && !ph_arena_late(work->arena); i++) {
-    double next = sigma > SIGMA_MIN ? sigma * factor : 0;
-    set_held(s, next, work->tension, held);
-    if (ph_sphere_newton(s, all, work)) {
-      sigma = next;
-      factor = fmax(factor * sqrt(factor), FACTOR_MIN);
-      if (!(sigma > 0)) {
-        return true;
-      }
-      continue;
-    }
-    factor = sqrt(factor);
-    if (factor > FACTOR_FOLD || !(sigma > SIGMA_MIN)) {
-      if (!hold(s->data, fold_at(s, work), sigma, held)) {
-        return false;
-      }
-      factor = FACTOR;
-    }
-  }
-  return false;
-}
-
-bool ph_sphere_solve_tense(struct ph_sphere_spline *s,
-                           struct ph_sphere_work *work) {
-  size_t n = s->data->n;
-  double *held = work->held;
-  memset(held, 0, n * sizeof *held);
-  memcpy(work->tension, s->nu, n * sizeof *s->nu);
-  s->model->hug(s);
-  set_held(s, SIGMA_MAX, work->tension, held);
-  if (ph_sphere_newton(s, ph_sphere_all(s->data), work) &&
-      descend_held(s, work, held)) {
-    return true;
-  }
-  memcpy(s->nu, work->tension, n * sizeof *s->nu);
-  return false;
 }

@@ -288,15 +288,16 @@ static double reach(const struct ph_sphere_spline *s, size_t i) {
 /* ---- starts -------------------------------------------------------------- */
 
 /* d = P, but next to ends with a velocity. */
-static void hug(struct ph_sphere_spline *s) {
+static void hug(struct ph_sphere_spline *s, struct ph_sphere_range range) {
   const struct ph_sphere_data *d = s->data;
-  for (size_t i = 0; i < d->n; i++) {
-    s->x[i] = ph_vec3_of(0, 0, 0);
+  for (size_t j = 0; j < range.count; j++) {
+    s->x[ph_sphere_node(d, range, j)] = ph_vec3_of(0, 0, 0);
   }
-  for (size_t e = 0; d->ends == PH_SPHERE_CLAMPED && e < 2; e++) {
+  for (size_t e = 0; !d->closed && e < 2; e++) {
     size_t i = e == 0 ? 0 : d->n - 1;
+    bool clamped = d->ends == PH_SPHERE_CLAMPED;
     double h = e == 0 ? d->h[0] : -d->h[d->m - 1];
-    ph_vec3 u = ph_vec3_scale(h / 3, d->end[e]);
+    ph_vec3 u = ph_vec3_scale(clamped ? h / 3 : 0, d->end[e]);
     double x = ph_vec3_dot(u, u), half = ph_s2_f0(x / 4);
     s->x[i] = ph_vec3_along(ph_vec3_scale(ph_s2_f0(x), u), -x / 2 * half * half,
                             d->p[i]);
@@ -306,22 +307,22 @@ static void hug(struct ph_sphere_spline *s) {
 /*
  * Where angles stand still, (2) is linear in d, for each coordinate:
  *   lo d_{i-1} + di d_i + up d_{i+1} = P_i.                            (5)
- * linearise: (5) at all nodes that have an equation, for the change of d.
+ * linearise: (5) at the nodes of a range, for the change of d.
  *
  * out  weight[j]  lo, di, up
  * out  rest[j]    what the change has to make up for
  * ret  root mean square of the rests, relative to the spacings
  */
-static double linearise(struct ph_sphere_spline *s, ph_vec3 *weight,
+static double linearise(struct ph_sphere_spline *s,
+                        struct ph_sphere_range range, ph_vec3 *weight,
                         ph_vec3 *rest) {
   const struct ph_sphere_data *d = s->data;
-  struct ph_sphere_range all = ph_sphere_all(d);
   struct ph_sphere_part left, right;
   struct mix a[2], b[2];
   double sum = 0;
-  control(s, ph_sphere_before(d, all.first), false, &left, a);
-  for (size_t k = 0; k < all.count; k++) {
-    size_t i = all.first + k;
+  control(s, ph_sphere_before(d, range.first), false, &left, a);
+  for (size_t k = 0; k < range.count; k++) {
+    size_t i = ph_sphere_node(d, range, k);
     struct joint j;
     double near, far, scale = 1 / size_at(d, i);
     control(s, i, false, &right, b);
@@ -337,7 +338,7 @@ static double linearise(struct ph_sphere_spline *s, ph_vec3 *weight,
     left = right;
     a[1] = b[1];
   }
-  return sqrt(sum / (double)all.count);
+  return sqrt(sum / (double)range.count);
 }
 
 /* A row of (5): of the coordinates x and y, or of z. */
@@ -351,12 +352,13 @@ static struct ph_block2_row row_of(const ph_vec3 *weight, const ph_vec3 *rest,
 }
 
 /* (5) solved for all d at once: Picard's iteration. */
-static void picard(struct ph_sphere_spline *s, struct ph_sphere_work *work) {
-  struct ph_sphere_range all = ph_sphere_all(s->data);
+static void picard(struct ph_sphere_spline *s, struct ph_sphere_range range,
+                   struct ph_sphere_work *work) {
+  const struct ph_sphere_data *d = s->data;
   ph_vec3 *weight = work->before, *rest = work->kept;
-  size_t n = all.count;
-  linearise(s, weight, rest);
-  if (!s->data->closed) {
+  size_t n = range.count;
+  linearise(s, range, weight, rest);
+  if (n < d->n) {
     weight[0].x = 0;
     weight[n - 1].z = 0;
   }
@@ -370,24 +372,24 @@ static void picard(struct ph_sphere_spline *s, struct ph_sphere_work *work) {
     }
     ph_block2_finish(&work->system, work->step);
     for (size_t j = 0; j < n; j++) {
-      ph_vec3 *x = &s->x[all.first + j];
+      ph_vec3 *x = &s->x[ph_sphere_node(d, range, j)];
       *x =
           ph_vec3_add(*x, xy ? ph_vec3_of(work->step[j][0], work->step[j][1], 0)
                              : ph_vec3_of(0, 0, work->step[j][0]));
     }
   }
   for (size_t j = 0; j < n; j++) {
-    size_t i = all.first + j;
-    s->x[i] = normalised(s->data->p[i], s->x[i]);
+    size_t i = ph_sphere_node(d, range, j);
+    s->x[i] = normalised(d->p[i], s->x[i]);
   }
 }
 
-static bool start(struct ph_sphere_spline *s, size_t which,
-                  struct ph_sphere_work *work) {
-  hug(s);
-  if (which == 0 && ph_sphere_all(s->data).count > 0) {
+static bool start(struct ph_sphere_spline *s, struct ph_sphere_range range,
+                  size_t which, struct ph_sphere_work *work) {
+  hug(s, range);
+  if (which == 0 && range.count > 0) {
     for (int i = 0; i < PICARD_STEPS && !ph_arena_late(work->arena); i++) {
-      picard(s, work);
+      picard(s, range, work);
     }
   }
   return which < 2;
@@ -397,22 +399,22 @@ static bool start(struct ph_sphere_spline *s, size_t which,
  * and, unlike Newton's iteration, not stopped by neighbours that become
  * antipodal on the way [IOR15, sec. 3.2]. */
 static bool last_resort(struct ph_sphere_spline *s,
+                        struct ph_sphere_range range,
                         struct ph_sphere_work *work) {
-  struct ph_sphere_range all = ph_sphere_all(s->data);
   ph_vec3 *weight = work->before, *rest = work->kept;
-  hug(s);
+  hug(s, range);
   for (int sweep = 0; sweep < SWEEPS_MAX && !ph_arena_late(work->arena);
        sweep++) {
-    if (linearise(s, weight, rest) <= SWEPT) {
+    if (linearise(s, range, weight, rest) <= SWEPT) {
       break;
     }
-    for (size_t j = 0; j < all.count; j++) {
-      size_t i = all.first + j;
+    for (size_t j = 0; j < range.count; j++) {
+      size_t i = ph_sphere_node(s->data, range, j);
       ph_vec3 x = ph_vec3_along(s->x[i], 1 / weight[j].y, rest[j]);
       s->x[i] = normalised(s->data->p[i], x);
     }
   }
-  return ph_sphere_newton(s, all, work);
+  return ph_sphere_newton(s, range, work);
 }
 
 const struct ph_sphere_model ph_sphere_nielson = {

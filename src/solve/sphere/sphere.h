@@ -118,6 +118,12 @@ static inline double ph_sphere_stiffness(const struct ph_sphere_data *d,
 struct ph_sphere_model;
 struct ph_sphere_work; /* below */
 
+/* Nodes first, first + 1, ..., count of them, modulo n if closed; none is an
+ * end of open data. */
+struct ph_sphere_range {
+  size_t first, count;
+};
+
 struct ph_sphere_spline {
   const struct ph_sphere_data *data;
   const struct ph_sphere_model *model;
@@ -191,16 +197,17 @@ struct ph_sphere_model {
   /* reach: how far control points go at most when x[i] moves by 1, in radians
    */
   double (*reach)(const struct ph_sphere_spline *s, size_t i);
-  /* hug: x of a spline that is nearly at infinite tension; of the ends of open
-   * data, whatever it stays */
-  void (*hug)(struct ph_sphere_spline *s);
+  /* hug: x of a spline that is nearly at infinite tension, in a range; and of
+   * the ends of open data, whatever it stays */
+  void (*hug)(struct ph_sphere_spline *s, struct ph_sphere_range range);
   /* start: x to begin an iteration from; false when there is none of that
    * number, 0, 1, ... */
-  bool (*start)(struct ph_sphere_spline *s, size_t which,
-                struct ph_sphere_work *work);
+  bool (*start)(struct ph_sphere_spline *s, struct ph_sphere_range range,
+                size_t which, struct ph_sphere_work *work);
   /* last_resort: another way to a solution, which is true if it is one; or
    * NULL */
-  bool (*last_resort)(struct ph_sphere_spline *s, struct ph_sphere_work *work);
+  bool (*last_resort)(struct ph_sphere_spline *s, struct ph_sphere_range range,
+                      struct ph_sphere_work *work);
 };
 
 /* The models: velocities, truly G2 [derived in exact.c], and global
@@ -215,12 +222,6 @@ extern const struct ph_sphere_model ph_sphere_nielson;
  * model, on all of its nodes or on a range of them while the rest stands still;
  * and relaxation, which comes nearer from where Newton's iteration fails.
  */
-
-/* Nodes first, first + 1, ..., count of them, modulo n if closed; none is an
- * end of open data. */
-struct ph_sphere_range {
-  size_t first, count;
-};
 
 /* ph_sphere_node: node j of a range. */
 static inline size_t ph_sphere_node(const struct ph_sphere_data *d,
@@ -244,7 +245,9 @@ struct ph_sphere_work {
   ph_vec3 *before;   /* x at the begin of an iteration, and */
   ph_vec3 *kept;     /* of a whole solution */
   double *tension;   /* tensions that are aimed at */
-  double *held;      /* [n] what more of it a solution needs: see newton.c */
+  double *held;      /* [n] what more of them a solution needs: solve.c; */
+  double *aim;       /* [n] those of blocks, and */
+  double *given;     /* [n] those of the whole */
   size_t iterations; /* in all */
   double residual;   /* of the last solution: root mean square */
 };
@@ -277,6 +280,23 @@ bool ph_sphere_newton(struct ph_sphere_spline *s, struct ph_sphere_range range,
  * iteration takes, for derivatives. */
 void ph_sphere_step(struct ph_sphere_spline *s, struct ph_sphere_range range,
                     struct ph_sphere_work *work);
+
+/*
+ * ph_sphere_relax: relaxation and Newton's iteration after it, from farther
+ * away.
+ *
+ * in    tau  what is added to the diagonal in the first step, where it is about
+ *            1: small tau means long steps
+ * inout s    x, which is anything afterwards if no solution was found
+ */
+bool ph_sphere_relax(struct ph_sphere_spline *s, struct ph_sphere_range range,
+                     double tau, struct ph_sphere_work *work);
+
+/* ph_sphere_fold: the node of a range that a step of Newton's iteration moves
+ * most from x, which solved larger tensions: beside a fold that is where it
+ * is. */
+size_t ph_sphere_fold(struct ph_sphere_spline *s, struct ph_sphere_range range,
+                      struct ph_sphere_work *work);
 
 /* ---- linear response ----------------------------------------------------- */
 
@@ -313,8 +333,9 @@ void ph_sphere_respond(struct ph_sphere_spline *s,
 /*
  * ph_sphere_solve: the whole spline, from the start of its model.  Where
  * Newton's iteration fails, from large tensions, at which the spline hugs the
- * data, down to those asked for; then by relaxation from other starts, and at
- * last in a way of the model's own.
+ * data, down to those asked for: block by block (ph_sphere_settle), then all at
+ * once; then by relaxation from other starts, and at last in a way of the
+ * model's own.
  *
  * out  s    x, r, l
  * ret  whether a solution was found
@@ -322,9 +343,9 @@ void ph_sphere_respond(struct ph_sphere_spline *s,
 bool ph_sphere_solve(struct ph_sphere_spline *s, struct ph_sphere_work *work);
 
 /*
- * ph_sphere_solve_tense: where that found none, a spline with larger tensions
- * at the nodes that it needs them at: steps of more than a right angle have
- * folds, below which there is none.
+ * ph_sphere_solve_tense: the same; where there is none, a spline with larger
+ * tensions at the nodes that it needs them at: steps of more than a right angle
+ * have folds, below which there is none.
  *
  * inout s    nu
  * out   s    x, r, l
@@ -332,6 +353,21 @@ bool ph_sphere_solve(struct ph_sphere_spline *s, struct ph_sphere_work *work);
  */
 bool ph_sphere_solve_tense(struct ph_sphere_spline *s,
                            struct ph_sphere_work *work);
+
+/*
+ * ph_sphere_settle: from a spline that solves its tensions to one at others,
+ * block by block: the nodes of a block get theirs, and move with some on either
+ * side of them while the rest stands still.  One block that is hard costs no
+ * more than itself.
+ *
+ * inout s    x, nu: a solution in and beside the range
+ * inout aim  [n] the other tensions; if they may be larger, those that are
+ *            found
+ * in    tense  whether they may
+ * ret   whether a solution was found; if not, x and nu are anything
+ */
+bool ph_sphere_settle(struct ph_sphere_spline *s, struct ph_sphere_range range,
+                      double *aim, bool tense, struct ph_sphere_work *work);
 
 /* ---- shape --------------------------------------------------------------- */
 
@@ -498,6 +534,7 @@ struct ph_sphere_raise {
   /* Of the work: */
   double *kept_nu;                /* [n] */
   ph_vec3 *kept_x;                /* [n] */
+  double *solved;                 /* [n] tensions of the last solution */
   size_t *touched;                /* [n] nodes of this round */
   unsigned char *planned;         /* [n] and what it does to them */
   struct ph_sphere_range *ranges; /* [n] where to look, in order and apart */

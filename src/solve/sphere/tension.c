@@ -277,16 +277,50 @@ static void find_ranges(struct ph_sphere_raise *raise, size_t touched_n) {
 
 /* ---- the whole ----------------------------------------------------------- */
 
+/* There is a solution at the tensions of a range. */
+static void note_solved(struct ph_sphere_raise *raise,
+                        struct ph_sphere_range range) {
+  const struct ph_sphere_spline *s = raise->spline;
+  for (size_t j = 0; j < range.count; j++) {
+    size_t i = ph_sphere_node(s->data, range, j);
+    raise->solved[i] = s->nu[i];
+  }
+}
+
+/* Goes to the new tensions of a range block by block, from those it has a
+ * solution at; if that fails, x is anything. */
+static bool settle(struct ph_sphere_raise *raise,
+                   struct ph_sphere_range range) {
+  struct ph_sphere_spline *s = raise->spline;
+  double *aim = raise->work->aim;
+  bool settled;
+  for (size_t j = 0; j < range.count; j++) {
+    size_t i = ph_sphere_node(s->data, range, j);
+    aim[i] = s->nu[i];
+    s->nu[i] = raise->solved[i];
+  }
+  settled = ph_sphere_settle(s, range, aim, true, raise->work);
+  for (size_t j = 0; !settled && j < range.count; j++) {
+    size_t i = ph_sphere_node(s->data, range, j);
+    s->nu[i] = aim[i];
+  }
+  return settled;
+}
+
 /* Solves again; from nothing where the way from the last solution fails, with
  * more tension where there is no other. */
 static bool solve_ranges(struct ph_sphere_raise *raise) {
+  struct ph_sphere_spline *s = raise->spline;
   for (size_t r = 0; r < raise->ranges_n; r++) {
-    if (!ph_sphere_newton(raise->spline, raise->ranges[r], raise->work)) {
-      raise->ranges[0] = ph_sphere_all(raise->spline->data);
+    struct ph_sphere_range range = raise->ranges[r];
+    if (!ph_sphere_newton(s, range, raise->work) && !settle(raise, range)) {
+      raise->ranges[0] = range = ph_sphere_all(s->data);
       raise->ranges_n = 1;
-      return ph_sphere_solve(raise->spline, raise->work) ||
-             ph_sphere_solve_tense(raise->spline, raise->work);
+      if (!ph_sphere_solve_tense(s, raise->work)) {
+        return false;
+      }
     }
+    note_solved(raise, range);
   }
   return true;
 }
@@ -350,6 +384,7 @@ static bool repair(struct ph_sphere_raise *raise) {
   if (!ph_sphere_newton(raise->spline, raise->ranges[0], raise->work)) {
     return false;
   }
+  note_solved(raise, raise->ranges[0]);
   raise->waive = false;
   while (status == PH_OK && raise->ranges_n > 0) {
     status = raise->rounds - before < REPAIRS_MAX ? go_round(raise)
@@ -394,9 +429,10 @@ static bool alloc(struct ph_sphere_raise *raise, struct ph_arena *scratch) {
   raise->planned = ph_arena_array(scratch, n, sizeof *raise->planned);
   raise->kept_nu = ph_arena_array(scratch, n, sizeof *raise->kept_nu);
   raise->kept_x = ph_arena_array(scratch, n, sizeof *raise->kept_x);
+  raise->solved = ph_arena_array(scratch, n, sizeof *raise->solved);
   raise->ranges = ph_arena_array(scratch, n, sizeof *raise->ranges);
   if (!raise->ignored || !raise->touched || !raise->planned || !raise->ranges ||
-      !raise->kept_nu || !raise->kept_x) {
+      !raise->kept_nu || !raise->kept_x || !raise->solved) {
     return false;
   }
   memset(raise->ignored, 0, n * sizeof *raise->ignored);
@@ -416,6 +452,7 @@ enum ph_status ph_sphere_keep_shape(struct ph_sphere_raise *raise,
   }
   raise->ranges[0] = ph_sphere_all(d);
   raise->ranges_n = raise->ranges[0].count > 0;
+  note_solved(raise, raise->ranges[0]);
   while (status == PH_OK && raise->ranges_n > 0) {
     if (ph_arena_late(scratch)) {
       return PH_E_NO_MEMORY;

@@ -40,7 +40,7 @@ PH_TEST(test_acceleration) {
     struct ph_sphere_part part;
     unit_sphere_any(&r, unit_sphere_kinds[t % UNIT_SPHERE_KINDS],
                     &ph_sphere_exact, &u);
-    u.spline.model->hug(&u.spline);
+    u.spline.model->hug(&u.spline, ph_sphere_all(&u.data));
     for (size_t i = 1; i < N; i++) {
       double size = unit_random_in(&r, -1, 1);
       double step[2] = {size, unit_random_in(&r, -1, 1) * size};

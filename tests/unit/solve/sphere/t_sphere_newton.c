@@ -80,7 +80,7 @@ PH_TEST(test_derivatives) {
     struct unit_sphere u;
     struct ph_sphere_range all;
     unit_sphere_any(&r, kind_of(t), model_of(t), &u);
-    u.spline.model->hug(&u.spline);
+    u.spline.model->hug(&u.spline, ph_sphere_all(&u.data));
     all = ph_sphere_all(&u.data);
     for (size_t k = 0; k < all.count; k++) {
       size_t i = ph_sphere_node(&u.data, all, k);
@@ -370,7 +370,7 @@ PH_TEST(test_none) {
     struct unit_sphere u;
     unit_sphere_path(&r, N, 2, 3, p);
     unit_sphere_of(&u, N, p, false, PH_SPHERE_REST, &ph_sphere_nielson);
-    u.spline.model->start(&u.spline, 0, &u.work);
+    u.spline.model->start(&u.spline, ph_sphere_all(&u.data), 0, &u.work);
     memcpy(x, u.spline.x, sizeof x);
     if (!ph_sphere_newton(&u.spline, ph_sphere_all(&u.data), &u.work)) {
       ck_assert_mem_eq(x, u.spline.x, sizeof x);

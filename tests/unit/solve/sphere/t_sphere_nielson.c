@@ -14,7 +14,7 @@ static void shake(struct unit_random *r, struct unit_sphere *u) {
   static const double none[2] = {0, 0};
   const struct ph_sphere_model *model = u->spline.model;
   struct ph_sphere_range all = ph_sphere_all(&u->data);
-  model->hug(&u->spline);
+  model->hug(&u->spline, ph_sphere_all(&u->data));
   for (size_t j = 0; j < all.count; j++) {
     size_t i = ph_sphere_node(&u->data, all, j);
     double step[2] = {unit_random_in(r, -1, 1), unit_random_in(r, -1, 1)};
@@ -145,11 +145,13 @@ PH_TEST(test_picard) {
       p[i] = ph_vec3_of(cos(lat) * cos(lon), cos(lat) * sin(lon), sin(lat));
     }
     unit_sphere_of(&u, M, p, kind.closed, kind.ends, &ph_sphere_nielson);
-    u.spline.model->hug(&u.spline);
+    u.spline.model->hug(&u.spline, ph_sphere_all(&u.data));
     ck_assert_double_ge(missing(&u), 1e-2);
-    ck_assert(u.spline.model->start(&u.spline, 0, &u.work));
+    ck_assert(
+        u.spline.model->start(&u.spline, ph_sphere_all(&u.data), 0, &u.work));
     ck_assert_double_le(missing(&u), 1e-5);
-    ck_assert(!u.spline.model->start(&u.spline, 2, &u.work));
+    ck_assert(
+        !u.spline.model->start(&u.spline, ph_sphere_all(&u.data), 2, &u.work));
     unit_sphere_free(&u);
   }
 }
@@ -166,8 +168,9 @@ PH_TEST(test_last_resort) {
                    &ph_sphere_nielson);
     memcpy(v.data.h, u.data.h, u.data.m * sizeof *v.data.h);
     memcpy(v.spline.nu, u.spline.nu, N * sizeof *v.spline.nu);
-    u.spline.model->start(&u.spline, 0, &u.work);
-    if (v.spline.model->last_resort(&v.spline, &v.work)) {
+    u.spline.model->start(&u.spline, ph_sphere_all(&u.data), 0, &u.work);
+    if (v.spline.model->last_resort(&v.spline, ph_sphere_all(&v.data),
+                                    &v.work)) {
       ck_assert(ph_sphere_newton(&u.spline, ph_sphere_all(&u.data), &u.work));
       ck_abs(unit_sphere_apart(&u, &v), 0, 1e-12);
       found++;
@@ -185,7 +188,7 @@ PH_TEST(test_antipode) {
   struct ph_block2_row row;
   struct unit_sphere u;
   unit_sphere_of(&u, 3, p, false, PH_SPHERE_REST, &ph_sphere_nielson);
-  u.spline.model->hug(&u.spline);
+  u.spline.model->hug(&u.spline, ph_sphere_all(&u.data));
   u.spline.x[1] = ph_vec3_of(-1 - cos(0.01), 0, sin(0.01));
   u.spline.model->segment(&u.spline, 0, false, &part[0]);
   u.spline.model->segment(&u.spline, 1, false, &part[1]);

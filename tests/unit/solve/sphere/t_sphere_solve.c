@@ -11,38 +11,40 @@ enum { N = 6, DATA = 60, STREAM = 1031 };
 /* How often the functions of a model were called. */
 static size_t starts, hugs, resorts;
 
-static bool start(struct ph_sphere_spline *s, size_t which,
-                  struct ph_sphere_work *work) {
+static bool start(struct ph_sphere_spline *s, struct ph_sphere_range range,
+                  size_t which, struct ph_sphere_work *work) {
   starts++;
-  return ph_sphere_exact.start(s, which, work);
+  return ph_sphere_exact.start(s, range, which, work);
 }
 
-static bool start_once(struct ph_sphere_spline *s, size_t which,
-                       struct ph_sphere_work *work) {
-  return starts++ == 0 && ph_sphere_exact.start(s, which, work);
+static bool start_once(struct ph_sphere_spline *s, struct ph_sphere_range range,
+                       size_t which, struct ph_sphere_work *work) {
+  return starts++ == 0 && ph_sphere_exact.start(s, range, which, work);
 }
 
-static void hug(struct ph_sphere_spline *s) {
+static void hug(struct ph_sphere_spline *s, struct ph_sphere_range range) {
   hugs++;
-  ph_sphere_exact.hug(s);
+  ph_sphere_exact.hug(s, range);
 }
 
-static void hug_nothing(struct ph_sphere_spline *s) {
+static void hug_nothing(struct ph_sphere_spline *s,
+                        struct ph_sphere_range range) {
   hugs++;
-  for (size_t i = 0; i < s->data->n; i++) {
-    s->x[i].x = (double)NAN;
+  for (size_t j = 0; j < range.count; j++) {
+    s->x[ph_sphere_node(s->data, range, j)].x = (double)NAN;
   }
 }
 
-static bool resort(struct ph_sphere_spline *s, struct ph_sphere_work *work) {
+static bool resort(struct ph_sphere_spline *s, struct ph_sphere_range range,
+                   struct ph_sphere_work *work) {
   resorts++;
-  return ph_sphere_nielson.last_resort(s, work);
+  return ph_sphere_nielson.last_resort(s, range, work);
 }
 
 static struct ph_sphere_model
-exact_of(bool (*start_of)(struct ph_sphere_spline *, size_t,
-                          struct ph_sphere_work *),
-         void (*hug_of)(struct ph_sphere_spline *)) {
+exact_of(bool (*start_of)(struct ph_sphere_spline *, struct ph_sphere_range,
+                          size_t, struct ph_sphere_work *),
+         void (*hug_of)(struct ph_sphere_spline *, struct ph_sphere_range)) {
   struct ph_sphere_model model = ph_sphere_exact;
   model.start = start_of;
   model.hug = hug_of;
@@ -58,8 +60,9 @@ static void data_of(struct unit_random *r, double low, double high,
 }
 
 static bool is_easy(struct unit_sphere *u) {
-  ph_sphere_exact.start(&u->spline, 0, &u->work);
-  return ph_sphere_newton(&u->spline, ph_sphere_all(&u->data), &u->work);
+  struct ph_sphere_range all = ph_sphere_all(&u->data);
+  ph_sphere_exact.start(&u->spline, all, 0, &u->work);
+  return ph_sphere_newton(&u->spline, all, &u->work);
 }
 
 /* How many data that are not easy are solved; out  hard: how many there are */
@@ -158,6 +161,35 @@ PH_TEST(test_legs) {
     u.spline.x[2] = far;
     ck_assert(!ph_sphere_newton(&u.spline, ph_sphere_all(&u.data), &u.work));
     ck_abs(ph_vec3_abs(ph_vec3_sub(u.spline.x[2], far)), 0, 0);
+    unit_sphere_free(&u);
+  }
+}
+
+/* Many nodes far apart, where Newton's iteration on all of them fails: block by
+ * block, with tensions where there is no spline without.  Afterwards it is at
+ * rest on the whole. */
+PH_TEST(test_blocks) {
+  enum { MANY = 120 };
+  struct unit_random r = {11};
+  for (int t = 0; t < 4; t++) {
+    bool closed = t % 2 == 1;
+    struct unit_sphere u;
+    ph_vec3 p[MANY];
+    struct ph_sphere_range all;
+    size_t before;
+    unit_sphere_path(&r, MANY, 0.9, 3.1, p);
+    unit_sphere_of(&u, MANY, p, closed, PH_SPHERE_NATURAL,
+                   t < 2 ? &ph_sphere_exact : &ph_sphere_nielson);
+    all = ph_sphere_all(&u.data);
+    ck_assert(t >= 2 || !is_easy(&u));
+    ck_assert(ph_sphere_solve_tense(&u.spline, &u.work));
+    before = u.work.iterations;
+    ck_assert(ph_sphere_newton(&u.spline, all, &u.work));
+    ck_assert_uint_le(u.work.iterations - before, 1);
+    ck_assert(u.work.residual <= 1e-12);
+    for (size_t i = 0; i < MANY; i++) {
+      ck_assert(u.spline.nu[i] >= 0 && isfinite(u.spline.nu[i]));
+    }
     unit_sphere_free(&u);
   }
 }
