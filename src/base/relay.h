@@ -18,7 +18,9 @@ enum { PH_RELAY_CHUNK = 512, PH_RELAY_WORTH = 4096 };
  * left it, is the same for any number of threads, which are the spare ones that
  * buf knows of.
  *
- * in   write  keeps nothing in *context that another call could see
+ * in   write  keeps nothing in *context that another call could see; first is
+ *             a multiple of PH_RELAY_CHUNK: what an element needs to know of
+ *             those before it is found first, for each chunk
  */
 void ph_relay(struct ph_buf *buf, size_t n,
               void (*write)(void *context, struct ph_buf *to, size_t first,

@@ -2,6 +2,7 @@
 /* CSV tables (see csv_out.h): one function a table, one writer of rows. */
 #include "io/csv_out.h"
 
+#include "base/mem.h"
 #include "base/relay.h"
 #include "base/sum.h"
 #include "curve/offset/gap.h"
@@ -106,6 +107,7 @@ struct rows {
   const struct ph_offset *offset; /* that they are of, or NULL */
   const struct ph_pieces *pieces; /* of it */
   double loop;                    /* of it */
+  const struct ph_sum *sums;      /* of lengths before each chunk */
 };
 
 static void some_control_points(void *context, struct ph_buf *to, size_t first,
@@ -133,18 +135,40 @@ static void control_points(const struct ph_csv_row *row,
   ph_relay(row->buf, c->n, some_control_points, &rows);
 }
 
-static void lengths(const struct ph_csv_row *row, const struct ph_curve *c) {
-  struct ph_sum cumulative = {0, 0};
-  for (size_t k = 0; k < c->n; k++) {
+static void some_lengths(void *context, struct ph_buf *to, size_t first,
+                         size_t end) {
+  const struct rows *rows = context;
+  const struct ph_curve *c = rows->curve;
+  struct ph_sum cumulative = rows->sums[first / PH_RELAY_CHUNK];
+  const struct ph_csv_row row =
+      ph_csv_row_of(to, rows->row->shape, rows->row->heading);
+  for (size_t k = first; k < end; k++) {
     ph_sum_add(&cumulative, c->lengths[k]);
-    ph_csv_begin_row(row);
-    ph_csv_number_cell(row, (double)k);
-    ph_csv_number_cell(row, c->knots[k]);
-    ph_csv_number_cell(row, c->knots[k + 1]);
-    ph_csv_number_cell(row, c->lengths[k]);
-    ph_csv_number_cell(row, ph_sum_value(&cumulative));
-    ph_csv_end_row(row);
+    ph_csv_begin_row(&row);
+    ph_csv_number_cell(&row, (double)k);
+    ph_csv_number_cells(&row, c->knots + k, 2);
+    ph_csv_number_cell(&row, c->lengths[k]);
+    ph_csv_number_cell(&row, ph_sum_value(&cumulative));
+    ph_csv_end_row(&row);
   }
+}
+
+static void lengths(const struct ph_csv_row *row, const struct ph_curve *c) {
+  struct ph_sum *sums = ph_malloc((c->n / PH_RELAY_CHUNK + 1) * sizeof *sums),
+                sum = {0, 0};
+  struct rows rows = {.row = row, .curve = c, .sums = sums};
+  if (!sums) {
+    row->buf->failed = true;
+    return;
+  }
+  for (size_t k = 0; k < c->n; k++) {
+    if (k % PH_RELAY_CHUNK == 0) {
+      sums[k / PH_RELAY_CHUNK] = sum;
+    }
+    ph_sum_add(&sum, c->lengths[k]);
+  }
+  ph_relay(row->buf, c->n, some_lengths, &rows);
+  ph_free(sums);
 }
 
 /* What all tables of samples say of a place. */
@@ -157,6 +181,12 @@ static void place_cells(const struct ph_csv_row *row,
   ph_csv_number_cells(row, s->point + d * i, d);
   ph_csv_number_cells(row, s->tangent + d * i, d);
   ph_csv_number_cell(row, s->curvature[i]);
+  if (s->torsion) {
+    ph_csv_number_cell(row, s->torsion[i]);
+  }
+  if (s->lonlat) {
+    ph_csv_number_cells(row, s->lonlat + 2 * i, 2);
+  }
 }
 
 static void vector_cell(const struct ph_csv_row *row, const char *vector) {
@@ -168,10 +198,32 @@ static void vector_cell(const struct ph_csv_row *row, const char *vector) {
   ph_buf_puts(row->buf, vector ? vector : row->shape->text ? "-" : "");
 }
 
+/* What is said of a place in the table of samples alone. */
+static void asked_cells(const struct ph_csv_row *row, const struct rows *rows,
+                        size_t i) {
+  static const double none[] = {(double)NAN, (double)NAN, (double)NAN};
+  const struct ph_samples *s = rows->samples;
+  const struct ph_offset *o = rows->offset;
+  if (row->shape->frame) {
+    ph_csv_number_cells(row, s->normal ? s->normal + 3 * i : none, 3);
+    ph_csv_number_cells(row, s->binormal ? s->binormal + 3 * i : none, 3);
+  }
+  if (row->shape->offsets) {
+    ph_csv_number_cell(row, o ? o->distance : 0);
+    if (row->shape->space == PH_SPACE) {
+      vector_cell(row, o ? o->vector : NULL);
+    }
+  }
+  if (row->shape->loops) {
+    ph_csv_number_cell(row, rows->loop);
+  }
+}
+
+/* In the table of offsets the distance comes first. */
 static void some_samples(void *context, struct ph_buf *to, size_t first,
                          size_t end) {
-  static const double none[] = {(double)NAN, (double)NAN, (double)NAN};
   const struct rows *rows = context;
+  const bool beside = rows->row->shape->table == PH_TABLE_OFFSETS;
   const struct ph_samples *s = rows->samples;
   const struct ph_offset *o = rows->offset;
   const struct ph_csv_row row =
@@ -180,25 +232,12 @@ static void some_samples(void *context, struct ph_buf *to, size_t first,
   for (size_t i = first; i < end; i++) {
     end_part(&row, o, s->segment[i], i, &gap);
     ph_csv_begin_row(&row);
+    if (beside) {
+      ph_csv_number_cell(&row, o->distance);
+    }
     place_cells(&row, s, i);
-    if (s->torsion) {
-      ph_csv_number_cell(&row, s->torsion[i]);
-    }
-    if (s->lonlat) {
-      ph_csv_number_cells(&row, s->lonlat + 2 * i, 2);
-    }
-    if (row.shape->frame) {
-      ph_csv_number_cells(&row, s->normal ? s->normal + 3 * i : none, 3);
-      ph_csv_number_cells(&row, s->binormal ? s->binormal + 3 * i : none, 3);
-    }
-    if (row.shape->offsets) {
-      ph_csv_number_cell(&row, o ? o->distance : 0);
-      if (row.shape->space == PH_SPACE) {
-        vector_cell(&row, o ? o->vector : NULL);
-      }
-    }
-    if (row.shape->loops) {
-      ph_csv_number_cell(&row, rows->loop);
+    if (!beside) {
+      asked_cells(&row, rows, i);
     }
     ph_csv_end_row(&row);
   }
@@ -222,25 +261,6 @@ static void samples_beside(const struct ph_csv_row *row,
   if (!loops->mode) {
     ph_csv_end_curve(row);
     samples(row, &o->samples, o, (double)NAN);
-  }
-}
-
-/* Samples in the table of offsets, where the distance comes first. */
-static void some_offset_samples(void *context, struct ph_buf *to, size_t first,
-                                size_t end) {
-  const struct rows *rows = context;
-  const struct ph_offset *o = rows->offset;
-  const struct ph_samples *s = rows->samples;
-  const struct ph_csv_row row =
-      ph_csv_row_of(to, rows->row->shape, rows->row->heading);
-  size_t gap = begin_parts(o, s->segment, first);
-  for (size_t i = first; i < end; i++) {
-    end_part(&row, o, s->segment[i], i, &gap);
-    ph_csv_begin_row(&row);
-    ph_csv_number_cell(&row, o->distance);
-    place_cells(&row, s, i);
-    ph_csv_number_cells(&row, s->lonlat + 2 * i, 2);
-    ph_csv_end_row(&row);
   }
 }
 
@@ -311,14 +331,12 @@ static void offset_loops(const struct ph_csv_row *row,
 static void offset(const struct ph_csv_row *row, const struct ph_offset *o) {
   struct ph_pieces rational = {o->degree,   o->dimension,      o->n, o->segment,
                                o->interval, o->control_points, 0};
-  struct rows rows = {.row = row,
-                      .samples = &o->samples,
-                      .offset = o,
-                      .pieces = o->weights ? &rational : &o->pieces};
+  struct rows rows = {
+      .row = row, .offset = o, .pieces = o->weights ? &rational : &o->pieces};
   if (o->loops.mode) {
     offset_loops(row, o);
   } else if (row->shape->space == PH_SPHERE) {
-    ph_relay(row->buf, o->samples.n, some_offset_samples, &rows);
+    samples(row, &o->samples, o, (double)NAN);
   } else {
     ph_relay(row->buf, rows.pieces->n, some_pieces, &rows);
   }

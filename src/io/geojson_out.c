@@ -3,6 +3,7 @@
 #include "io/geojson_out.h"
 
 #include "base/mem.h"
+#include "base/relay.h"
 #include "curve/offset/gap.h"
 
 #include <math.h>
@@ -50,11 +51,14 @@ static void put(struct ph_json_writer *w, const struct position *p) {
 struct lines {
   struct ph_json_writer *w; /* NULL: they are counted */
   const struct ph_samples *s;
-  const double *center; /* of the sphere */
-  bool several;         /* there are */
-  size_t n;             /* lines */
-  bool begun;           /* the last one */
-  struct position last; /* of it */
+  const struct ph_gaps *gaps; /* that cut them, or NULL */
+  const double *center;       /* of the sphere */
+  bool ring;                  /* the last sample is the first */
+  bool several;               /* there are */
+  size_t gap;                 /* the next one */
+  size_t n;                   /* lines */
+  bool begun;                 /* the last one */
+  struct position last;       /* of it */
 };
 
 static void begin_line(struct lines *l) {
@@ -151,13 +155,12 @@ static void cross_seam(struct lines *l, size_t i) {
   add(l, &seam);
 }
 
-/* Goes through the samples; `ring`: the last one is the first. */
-static void go(struct lines *l, const struct ph_gaps *gaps, bool ring) {
+/* Goes through some of the samples, from where it is. */
+static void go(struct lines *l, size_t first, size_t end) {
   const struct ph_samples *s = l->s;
-  size_t gap = 0;
-  for (size_t i = 0; i < s->n; i++) {
-    struct position p = position(s, ring && i + 1 == s->n ? 0 : i);
-    bool cut = gaps && ph_gaps_pass(gaps, s->segment[i], &gap);
+  for (size_t i = first; i < end; i++) {
+    struct position p = position(s, l->ring && i + 1 == s->n ? 0 : i);
+    bool cut = l->gaps && ph_gaps_pass(l->gaps, s->segment[i], &l->gap);
     if (i == 0 || cut) {
       begin_line(l);
     }
@@ -176,21 +179,61 @@ static void go(struct lines *l, const struct ph_gaps *gaps, bool ring) {
   }
 }
 
+/* Lines as they are before each chunk of samples. */
+struct course {
+  struct ph_json_writer *w; /* behind the first bracket */
+  bool several;
+  struct lines *at;
+};
+
+static void write_some(void *context, struct ph_buf *to, size_t first,
+                       size_t end) {
+  const struct course *course = context;
+  struct lines lines = course->at[first / PH_RELAY_CHUNK];
+  struct ph_json_writer w = *course->w;
+  w.buf = to;
+  if (first > 0) { /* in a line */
+    w.comma[w.depth] = true;
+    w.comma[++w.depth] = lines.begun;
+  }
+  lines.w = &w;
+  lines.several = course->several;
+  go(&lines, first, end);
+}
+
+/* Brings lines to the end; out  at  as they are before each chunk. */
+static void look_ahead(struct lines *l, struct lines *at) {
+  for (size_t i = 0; i < l->s->n; i += PH_RELAY_CHUNK) {
+    const size_t left = l->s->n - i;
+    at[i / PH_RELAY_CHUNK] = *l;
+    go(l, i, i + (left < PH_RELAY_CHUNK ? left : PH_RELAY_CHUNK));
+  }
+}
+
+/* Lines that are at their beginning; `several`: one of them has no bracket of
+ * its own.  at has room for what comes before each chunk. */
+static void write_course(struct ph_json_writer *w, size_t n, bool several,
+                         struct lines *at) {
+  struct course course = {w, several, at};
+  ph_relay(w->buf, n, write_some, &course);
+  w->comma[w->depth] = true;
+  w->comma[++w->depth] = true;
+  ph_write_end(w, ']');
+}
+
 static void write_lines(struct ph_json_writer *w, const struct ph_samples *s,
                         const struct ph_gaps *gaps, const double *center,
-                        bool ring) {
-  struct lines count = {.s = s, .center = center};
-  struct lines lines = {.w = w, .s = s, .center = center};
+                        bool ring, struct lines *at) {
+  struct lines count = {.s = s, .gaps = gaps, .center = center, .ring = ring};
   bool several;
-  go(&count, gaps, ring);
-  several = lines.several = count.n > 1;
+  look_ahead(&count, at);
+  several = count.n > 1;
   ph_write_key_string(w, "type", several ? "MultiLineString" : "LineString");
   ph_write_key(w, "coordinates");
   if (several) {
     ph_write_begin(w, '[');
   }
-  go(&lines, gaps, ring);
-  ph_write_end(w, ']');
+  write_course(w, s->n, several, at);
   if (several) {
     ph_write_end(w, ']');
   }
@@ -210,20 +253,43 @@ static double area(const struct ph_samples *s) {
   return sum;
 }
 
-static void write_ring(struct ph_json_writer *w, const struct ph_samples *s,
-                       bool hole) {
-  const bool reversed = (area(s) < 0) != hole;
-  struct position last = {{(double)NAN, (double)NAN}, 2};
-  ph_write_element(w);
-  ph_write_begin(w, '[');
-  for (size_t i = 0; i < s->n; i++) {
-    const size_t at = i + 1 == s->n || i == 0 ? 0 : reversed ? s->n - 1 - i : i;
-    struct position p = position(s, at);
+/* The samples of a ring in their order. */
+struct ring {
+  struct ph_json_writer *w; /* behind its bracket */
+  const struct ph_samples *s;
+  bool reversed;
+};
+
+static struct position ring_position(const struct ring *ring, size_t i) {
+  const size_t n = ring->s->n;
+  return position(ring->s, i + 1 == n || i == 0 ? 0
+                           : ring->reversed     ? n - 1 - i
+                                                : i);
+}
+
+static void write_some_of_ring(void *context, struct ph_buf *to, size_t first,
+                               size_t end) {
+  const struct ring *ring = context;
+  struct ph_json_writer w = *ring->w;
+  struct position last = ring_position(ring, first > 0 ? first - 1 : 0);
+  w.buf = to;
+  w.comma[w.depth] = first > 0;
+  for (size_t i = first; i < end; i++) {
+    struct position p = ring_position(ring, i);
     if (i == 0 || !same(&p, &last)) {
-      put(w, &p);
+      put(&w, &p);
     }
     last = p;
   }
+}
+
+static void write_ring(struct ph_json_writer *w, const struct ph_samples *s,
+                       bool hole) {
+  struct ring ring = {w, s, (area(s) < 0) != hole};
+  ph_write_element(w);
+  ph_write_begin(w, '[');
+  ph_relay(w->buf, s->n, write_some_of_ring, &ring);
+  w->comma[w->depth] = s->n > 0;
   ph_write_end(w, ']');
 }
 
@@ -326,7 +392,8 @@ static void write_polygons(struct ph_json_writer *w,
 }
 
 /* Loops of which one is open. */
-static void write_open(struct ph_json_writer *w, const struct ph_loops *loops) {
+static void write_open(struct ph_json_writer *w, const struct ph_loops *loops,
+                       struct lines *at) {
   const bool several = loops->n > 1;
   ph_write_key_string(w, "type", several ? "MultiLineString" : "LineString");
   ph_write_key(w, "coordinates");
@@ -334,34 +401,39 @@ static void write_open(struct ph_json_writer *w, const struct ph_loops *loops) {
     ph_write_begin(w, '[');
   }
   for (size_t i = 0; i < loops->n; i++) {
-    struct lines lines = {.w = w, .s = &loops->v[i].samples};
-    if (several) {
-      ph_write_element(w);
-    }
-    go(&lines, NULL, loops->v[i].closed);
-    ph_write_end(w, ']');
+    const struct ph_samples *s = &loops->v[i].samples;
+    struct lines lines = {.s = s, .ring = loops->v[i].closed};
+    look_ahead(&lines, at);
+    write_course(w, s->n, several, at);
   }
   if (several) {
     ph_write_end(w, ']');
   }
 }
 
+/* What is found before it is written. */
+struct room {
+  struct nest *nest; /* [loops] */
+  struct lines *at;  /* [chunks of samples] */
+};
+
 static void write_loops(struct ph_json_writer *w, const struct ph_loops *loops,
-                        struct nest *nest) {
+                        const struct room *room) {
   bool closed = true;
   for (size_t i = 0; i < loops->n; i++) {
     closed &= loops->v[i].closed && loops->v[i].samples.n >= 4;
   }
   if (closed) {
-    write_polygons(w, loops, nest);
+    write_polygons(w, loops, room->nest);
   } else {
-    write_open(w, loops);
+    write_open(w, loops, room->at);
   }
 }
 
 /* ---- features ---------------------------------------------------------- */
 
-static void write_curve(struct ph_json_writer *w, const struct ph_result *r) {
+static void write_curve(struct ph_json_writer *w, const struct ph_result *r,
+                        const struct room *room) {
   const struct ph_samples *s = &r->samples;
   if (r->curve.closed && s->n >= 4 && s->dimension == 2 &&
       ph_diagnostics_known(&r->diagnostics, PH_D_SIMPLE) &&
@@ -372,24 +444,24 @@ static void write_curve(struct ph_json_writer *w, const struct ph_result *r) {
     write_ring(w, s, false);
     ph_write_end(w, ']');
   } else {
-    write_lines(w, s, NULL, r->curve.sphere.center, r->curve.closed);
+    write_lines(w, s, NULL, r->curve.sphere.center, r->curve.closed, room->at);
   }
 }
 
 static void write_offset(struct ph_json_writer *w, const struct ph_result *r,
-                         const struct ph_offset *o, struct nest *nest) {
+                         const struct ph_offset *o, const struct room *room) {
   if (o->loops.mode) {
-    write_loops(w, &o->loops, nest);
+    write_loops(w, &o->loops, room);
   } else {
     write_lines(w, &o->samples, &o->gaps, r->curve.sphere.center,
-                r->curve.closed && !ph_gaps_open(&o->gaps));
+                r->curve.closed && !ph_gaps_open(&o->gaps), room->at);
   }
 }
 
 /* A curve, or an offset of it. */
 static void write_feature(struct ph_buf *buf, const struct ph_heading *heading,
                           const struct ph_result *r, const struct ph_offset *o,
-                          struct nest *nest) {
+                          const struct room *room) {
   struct ph_json_writer w = {.buf = buf};
   const struct ph_echo *echo = heading->echo;
   const double length = o ? o->length : r->curve.length;
@@ -424,31 +496,44 @@ static void write_feature(struct ph_buf *buf, const struct ph_heading *heading,
   } else {
     ph_write_begin(&w, '{');
     if (o) {
-      write_offset(&w, r, o, nest);
+      write_offset(&w, r, o, room);
     } else {
-      write_curve(&w, r);
+      write_curve(&w, r, room);
     }
     ph_write_end(&w, '}');
   }
   ph_write_end(&w, '}');
 }
 
+/* Room for the largest of them, before the first byte; false: memory is
+ * exhausted. */
+static bool reserve(struct room *room, const struct ph_result *r) {
+  size_t loops = 0, samples = r->samples.n;
+  for (size_t i = 0; i < r->offsets_n; i++) {
+    const struct ph_offset *o = &r->offsets[i];
+    loops = o->loops.n > loops ? o->loops.n : loops;
+    samples = o->samples.n > samples ? o->samples.n : samples;
+    for (size_t j = 0; j < o->loops.n; j++) {
+      const size_t n = o->loops.v[j].samples.n;
+      samples = n > samples ? n : samples;
+    }
+  }
+  room->nest = ph_malloc(loops * sizeof *room->nest);
+  room->at = ph_malloc((samples / PH_RELAY_CHUNK + 1) * sizeof *room->at);
+  return room->nest && room->at;
+}
+
 void ph_geojson_out(struct ph_buf *buf, const struct ph_heading *heading,
                     const struct ph_result *result) {
-  struct nest *nest;
-  size_t most = 0;
-  for (size_t i = 0; i < result->offsets_n; i++) {
-    most =
-        result->offsets[i].loops.n > most ? result->offsets[i].loops.n : most;
-  }
-  nest = ph_malloc(most * sizeof *nest); /* before the first byte */
-  if (!nest) {
+  struct room room;
+  if (reserve(&room, result)) {
+    write_feature(buf, heading, result, NULL, &room);
+    for (size_t i = 0; i < result->offsets_n; i++) {
+      write_feature(buf, heading, result, &result->offsets[i], &room);
+    }
+  } else {
     buf->failed = true;
-    return;
   }
-  write_feature(buf, heading, result, NULL, nest);
-  for (size_t i = 0; i < result->offsets_n; i++) {
-    write_feature(buf, heading, result, &result->offsets[i], nest);
-  }
-  ph_free(nest);
+  ph_free(room.at);
+  ph_free(room.nest);
 }

@@ -2,6 +2,7 @@
 /* SVG paths and drawings (see svg_out.h). */
 #include "io/svg_out.h"
 
+#include "base/relay.h"
 #include "base/suggest.h"
 #include "io/number.h"
 
@@ -25,22 +26,47 @@ static bool same(const double *a, const double *b) {
   return !(a[0] < b[0]) && !(a[0] > b[0]) && !(a[1] < b[1]) && !(a[1] > b[1]);
 }
 
-void ph_svg_path(struct ph_buf *buf, const struct ph_pieces *cubics,
-                 bool closed) {
-  const double *p = cubics->control_points, *first = p;
-  for (size_t i = 0; i < cubics->n; i++, p += 8) {
-    if (i == 0 || !same(p - 2, p)) {
-      first = p;
-      point(buf, 'M', p);
+struct path {
+  const struct ph_pieces *cubics;
+  bool closed;
+};
+
+/* Whether cubic i begins a subpath, and where the one begins that it is of. */
+static bool begins(const struct ph_pieces *cubics, size_t i) {
+  const double *p = cubics->control_points + 8 * i;
+  return i == 0 || i == cubics->n || !same(p - 2, p);
+}
+
+static const double *beginning(const struct ph_pieces *cubics, size_t i) {
+  while (!begins(cubics, i)) {
+    i--;
+  }
+  return cubics->control_points + 8 * i;
+}
+
+static void some_cubics(void *context, struct ph_buf *to, size_t first,
+                        size_t end) {
+  const struct path *path = context;
+  const struct ph_pieces *cubics = path->cubics;
+  const double *p = cubics->control_points + 8 * first;
+  for (size_t i = first; i < end; i++, p += 8) {
+    if (begins(cubics, i)) {
+      point(to, 'M', p);
     }
-    point(buf, 'C', p + 2);
-    point(buf, ' ', p + 4);
-    point(buf, ' ', p + 6);
-    if (closed && same(p + 6, first) &&
-        (i + 1 == cubics->n || !same(p + 6, p + 8))) {
-      ph_buf_put(buf, "Z", 1);
+    point(to, 'C', p + 2);
+    point(to, ' ', p + 4);
+    point(to, ' ', p + 6);
+    if (path->closed && begins(cubics, i + 1) &&
+        same(p + 6, beginning(cubics, i))) {
+      ph_buf_put(to, "Z", 1);
     }
   }
+}
+
+void ph_svg_path(struct ph_buf *buf, const struct ph_pieces *cubics,
+                 bool closed) {
+  struct path path = {cubics, closed};
+  ph_relay(buf, cubics->n, some_cubics, &path);
 }
 
 /* ---- drawings ---------------------------------------------------------- */

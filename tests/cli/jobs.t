@@ -145,6 +145,8 @@ same 'a long walk' 0 walk.csv
 method=planar
 same 'offsets of a long walk, as a table' 0 -q -f csv --table=offsets -d 0.01 \
   walk.csv
+same 'lengths of a long walk, as a table' 0 -q -f csv --table=lengths walk.csv
+same 'a drawing of a long walk' 0 -q -f svg-path walk.csv
 
 # ---- points in space ---------------------------------------------------------
 
@@ -218,6 +220,18 @@ true_that 'in space, long: the first failure is told' \
   grep -q 'record 2: segments\[2499\]: has no angles' err
 
 # ---- points on a sphere ------------------------------------------------------
+
+# lines that are cut where the longitude is 180 degrees
+awk 'BEGIN {
+  printf "{\"lonlat\":["
+  for (i = 0; i < 1500; i++)
+    printf "%s[%.6f,%.6f]", i ? "," : "", (i * 5) % 360 - 180, 80 * sin(i / 99)
+  print "]}"
+}' >laps.json
+method=sphere
+same 'laps of a sphere' 0 -q -f geojson -n 8 laps.json
+equal 'laps of a sphere: lines' 21 \
+  "$(jq '.features[0].geometry.coordinates | length' out)"
 
 # Both models, open and closed, tensions to find, failures at several stages, a
 # long record among short ones.
