@@ -53,6 +53,9 @@ static enum ph_status unknown_field(const struct ph_schema *schema,
           "is not a field of %s%s", schema->command, clause);
   if (ph_geojson_is(record->text, record->n) == PH_JSON_DONE) {
     ph_diag_add(diag, "--input-format=geojson reads GeoJSON");
+  } else if (strlen(name) == 1 && strchr("xyz", *name)) {
+    ph_diag_add(diag, "an object is a whole problem, and its points are one "
+                      "array, \"points\"");
   }
   return diag->status;
 }

@@ -32,6 +32,8 @@ bad unknown-field Points 'is not a field of planar; did you mean "points"?' \
 bad unknown-field mta 'is not a field of planar; did you mean "meta"?' '"mta":1'
 bad unknown-field length 'is not a field of planar' '"length":1'
 bad unknown-field '""' 'is not a field of planar' '"":1'
+bad unknown-field x "is not a field of planar; an object is a whole problem, and \
+its points are one array, \"points\"" '"x":1'
 
 missing='is missing: it must be an array of points [x,y]'
 bad missing-field points "$missing" '{}'

@@ -163,6 +163,17 @@ while read -r command; do
   items "$page" 'PROBLEM FIELDS' Cm >"$tmp/page"
   same "fields of $command" "$tmp/list" "$tmp/page"
   cat "$tmp/list" >>"$tmp/fields"
+  # each word that a field may have is told there
+  sed -n '/^Fields/,/^$/p' "$tmp/help.$command" | grep -o '"[^"]*"' |
+    tr -d '"' | sort -u >"$tmp/words"
+  sed -n '/^\.Sh PROBLEM FIELDS/,/^\.Sh [^P]/p' "$page" | tr -s ' ,:=' '\n' |
+    sort -u >"$tmp/page"
+  sed 's/:.*//' "$tmp/words" | sort -u | comm -23 - "$tmp/page" >"$tmp/unknown"
+  if [ -s "$tmp/unknown" ]; then
+    fail "words of $command: not in the manual: $(tr '\n' ' ' <"$tmp/unknown")"
+  else
+    echo "ok man words of $command: $(wc -l <"$tmp/words")"
+  fi
   cp "$tmp/list" "$tmp/fields.$command"
   options=$tmp/options
   test "$command" != cone || options=$tmp/options.surface
