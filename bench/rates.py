@@ -12,7 +12,10 @@ misses its target, and the exit status is 1 then:
 
   all      every member is solved
   first    each size is solved at least as often as the first
-  grows    the median grows by at most 2.3 for each doubling, over all sizes
+  grows    the median grows by at most 2.3 for each doubling, from each size to
+           the next one that is at least 1.5 times as large, and over all sizes
+  same=T   a member in radians and its twin in metres have control points that
+           differ by at most T times the mean step
   node=T   the mean time is at most T microseconds a node
   worst=T  the largest time is at most T medians
 
@@ -142,6 +145,33 @@ def track(r, n, metres, share=1 / 3, **more):
     return dict(points=points, **more)
 
 
+def twins(r, n):
+    """A track as unit vectors, and the same times the earth's radius."""
+    problem = track(r, n, 10)
+    large = [[EARTH * c for c in p] for p in problem["points"]]
+    return dict(problem, twin=dict(points=large, radius=EARTH))
+
+
+def places(r, n, metres, noise):
+    """A GPS track in degrees with seven digits, fixes off by some metres."""
+    degrees = 180 / math.pi / EARTH
+    lon, lat, heading, fixes = 11.5, 48.1, r.uniform(0, 6.28), []
+    for _ in range(n):
+        shrink = math.cos(math.radians(lat))
+        fixes.append([round(lon + r.gauss(0, noise) * degrees / shrink, 7),
+                      round(lat + r.gauss(0, noise) * degrees, 7)])
+        heading += r.gauss(0, 0.1)
+        lon += metres * math.cos(heading) * degrees / shrink
+        lat += metres * math.sin(heading) * degrees
+    return dict(lonlat=fixes, radius=EARTH)
+
+
+def sphere_gauss(r, step, n=12):
+    """A walk whose steps have normal components."""
+    xy = [[step * c for c in p] for p in walk2(r, n)]
+    return dict(points=from_plane(unit(gauss3(r)), xy))
+
+
 def random_sphere(r, n):
     return dict(points=[unit(gauss3(r)) for _ in range(n)])
 
@@ -233,6 +263,25 @@ def families():
     add("arclength 8 points", "arclength", (1.0001, 1.001, 1.01),
         lambda r, f: given(walk(r, 7), f, f, r), "all")
 
+    # what was refused, with other seeds
+    add("hard walk lengths", "arclength", (100,),
+        lambda r, n: given(walk(r, n), 1.4, 1.4, r), "all")
+    add("hard walk free", "arclength", (100,),
+        lambda r, n: given(walk(r, n)), "all")
+    add("hard free", "arclength", (150,),
+        lambda r, n: given(smooth(r, n)), "all")
+    add("hard soft", "arclength", (150,),
+        lambda r, n: given(smooth(r, n), 1.01, 1.03, r, length_sigma=.01),
+        "all")
+    add("hard ribbon", "arclength", (1000,),
+        lambda r, n: ribbon(r, n, .01), "all")
+    add("hard chord", "arclength", (7,),
+        lambda r, n: given(walk(r, n), 1.001, 1.001, r), "all")
+    for metres in (5, 10):
+        add(f"hard gps{metres}", "sphere", (1000,),
+            lambda r, n, m=metres: places(r, n, m, 2), "all")
+    add("hard walk9", "sphere", (1e-3, 1e-4), sphere_gauss, "all")
+
     add("sphere walk", "sphere", STEPS, sphere_walk, "all")
     for metres in (1, 3, 10, 100, 1000):
         add(f"sphere track {metres} m", "sphere", (1000,),
@@ -241,6 +290,7 @@ def families():
         lambda r, n: track(r, n, 10), "all", "grows", "node=50")
     add("sphere track fifth", "sphere", (1000,),
         lambda r, n: track(r, n, 10, .2), "all", "node=50")
+    add("sphere unit", "sphere", (300,), twins, "all", "same=1e-6")
     add("sphere random", "sphere", (250, 500, 1000, 2000), random_sphere,
         "all", "grows")
 
@@ -291,18 +341,35 @@ def solve(program, command, problems, counts):
                 for _ in range(1 if counts else 5))
     results, times = [], []
     for problem in problems:
+        twin = problem.pop("twin", None)
         text, time = run_one([program, command, "--jobs=1", "--quiet"],
                              json.dumps(problem), counts)
         results.append(json.loads(text))
         times.append(max(time - start, 1e-5))
+        if twin:
+            text, _ = run_one([program, command, "--jobs=1", "--quiet"],
+                              json.dumps(twin))
+            results[-1]["apart"] = apart(results[-1], json.loads(text))
     return results, times
+
+
+def apart(result, twin):
+    """The largest distance of control points, by the mean step."""
+    if result["status"] != "ok" or twin["status"] != "ok":
+        return math.inf
+    one, other = ([[c / x["radius"] for c in p] for segment in x["segments"]
+                   for p in segment["control_points"]] for x in (result, twin))
+    if len(one) != len(other):
+        return math.inf
+    step = result["length"] / result["radius"] / len(result["segments"])
+    return max(norm(plus(p, q, -1)) for p, q in zip(one, other)) / step
 
 
 def median(values):
     return sorted(values)[len(values) // 2] if values else math.nan
 
 
-Row = collections.namedtuple("Row", "size members solved times")
+Row = collections.namedtuple("Row", "size members solved times apart")
 
 
 def missed(family, rows, counts):
@@ -314,8 +381,9 @@ def missed(family, rows, counts):
         elif name == "first":
             good = all(row.solved >= rows[0].solved for row in rows)
         elif name == "grows":
-            growth = per_doubling(rows[0], rows[-1])
-            good = growth <= GROWTH
+            good = all(grown <= GROWTH for _, grown in growths(rows))
+        elif name == "same":
+            good = all(row.apart <= float(limit) for row in rows)
         elif name == "node":
             good = counts or all(
                 1e6 * sum(row.times) / len(row.times) / row.size
@@ -332,6 +400,16 @@ def per_doubling(small, large):
     return ratio ** (1 / math.log2(large.size / small.size))
 
 
+def growths(rows):
+    """The size that each doubling ends at and its factor, all sizes last."""
+    begin, found = rows[0], []
+    for row in rows[1:]:
+        if row.size >= 1.5 * begin.size:
+            found.append((row.size, per_doubling(begin, row)))
+            begin = row
+    return found + [("all", per_doubling(rows[0], rows[-1]))]
+
+
 def run_family(program, family, members, seed, counts):
     rows = []
     for size in family.sizes:
@@ -345,10 +423,12 @@ def run_family(program, family, members, seed, counts):
         codes = collections.Counter(
             code for x in results
             for code in {w["code"] for w in x.get("warnings", [])})
-        rows.append(Row(size, count, count - len(errors), times))
+        rows.append(Row(size, count, count - len(errors), times,
+                        max((x.get("apart", 0) for x in results), default=0)))
         grown = ""
-        if len(rows) > 1 and size >= 1.5 * rows[-2].size:
-            grown = f"{per_doubling(rows[-2], rows[-1]):.2f}"
+        if "grows" in family.targets and len(rows) > 1:
+            grown = "".join(f"{g:.2f}" for at, g in growths(rows)
+                            if at == size)
         print(f"{family.name:24} {size:7} {rows[-1].solved:5}/{count:<5}"
               f"{1e3 * median(times):9.2f} {1e3 * max(times, default=0):9.2f}"
               f" {grown:>5} ",
@@ -356,6 +436,9 @@ def run_family(program, family, members, seed, counts):
               " ".join(f"{c}:{k}" for c, k in sorted(codes.items())),
               flush=True)
     bad = list(missed(family, rows, counts))
+    if "same" in family.targets[-1]:
+        print(f"{family.name:24} largest distance "
+              f"{max(row.apart for row in rows):.2g} of a step")
     if len(rows) > 1 and "grows" in family.targets:
         print(f"{'':24} {'':7} {'':11}{'':9} {'':9} "
               f"{per_doubling(rows[0], rows[-1]):5.2f}  over all sizes")
