@@ -61,7 +61,7 @@ exact line 10 km out at sea, nowhere nearer:
       --closed --offset=-10 --offset-mode=trimmed -o $out/sicily.json
 
 EOF
-awk -f "$data/picture.awk" -v style=$style -v cols=56 -v unit=km \
+awk -f "$data/picture.awk" -v style=$style -v cols=42 -v unit=km \
   "$out/sicily-control-points.csv" "$out/sicily-offsets.csv" "$points"
 echo "solid: the curve; dotted: its offset"
 echo
