@@ -77,8 +77,8 @@ static ph_vec3 pole_of(const struct ph_check_segment *s, const double *cuts,
   return pole;
 }
 
-/* The integral of (1) between two places, from dip to dip; adds to the error.
- */
+/* The integral of (1) between two places, from dip to dip; adds to the error,
+ * which has no bound where the curve rests at a place that was looked at. */
 static double turn_between(const struct ph_check_path *path, double from,
                            double to, ph_vec3 *pole, double *error) {
   const struct ph_check_dips slow = ph_check_slow_of(path->s);
@@ -97,6 +97,9 @@ static double turn_between(const struct ph_check_path *path, double from,
     ph_check_integral(&path->v->rule, &of, cuts[i], cuts[i + 1], sum);
     turn += sum[0];
     *error += sum[1] + TURN;
+  }
+  if (!isfinite(turn)) {
+    *error = (double)INFINITY;
   }
   return turn;
 }

@@ -190,6 +190,13 @@ echo '{"points":[[0.336617840065421,-0.386345475529631,3.0104345469],
   [-0.51751661522599,0.593549862,-4.630669997851568]],"criterion":"hc"}' >turn
 made spatial-hermite --chord-error=0.05 --frame=rmf <turn
 verified 'a frame past a point all but at rest' 1 --problems=turn
+printf '%s' '{"points":[[0,0],[1.2690941969889147,0.09367675889563061],' \
+  '[4.382300403539277,0.323474568936319],[6.25177501205922,' \
+  '0.4614677317601156],[7.891621282444952,0.5825111374121904]],"knots":[0,' \
+  '0.0043344230862208954,0.1237915268580709,0.13682717084583804,' \
+  '0.6549447271070675]}' >turn
+made arclength --spacing=0.31 --frame=rmf <turn
+verified 'a frame past points at rest' 1 --problems=turn
 
 # ... and of which points say less than tangents
 echo '{"points":[[0,0,0],[-100000,300000,0],[0,500000,0]],"basis":"atph",

@@ -332,6 +332,16 @@ printf '%s' '{"points":[[252,62,92],[266,65,91]],"rulings":[[-0.12,0.24,0.96],' 
   '[0.884954,0.454894,0.089184]],"method":"atph","apexes":[-30,70],' \
   '"height":[-1,1]}' >general.json
 exhaust 'general cones' lines cone -j 1 -n 2 --tolerance=0.1 general.json
+printf '%s' '{"points":[[1,1,1],[1,1,-1],[1,-1,-1],[1,-1,1],[-1,1,1],' \
+  '[-1,1,-1],[-1,-1,-1],[-1,-1,1]],"faces":[[0,3,2,1],[4,5,6,7],[0,1,5,4],' \
+  '[3,7,6,2],[0,4,7,3],[1,2,6,5]]}' >cube.json
+exhaust 'surfaces over a mesh' lines bubble -j 1 cube.json
+printf '%s' '{"type":"Feature","id":3,"properties":{"a":[1]},"geometry":{' \
+  '"type":"MultiLineString","coordinates":[[[0,0],[1,1]],[[2,0],[3,3]]]}}' \
+  >lines.geojson
+exhaust 'GeoJSON' lines planar -j 1 lines.geojson
+exhaust 'NURBS' lines planar -j 1 -d 0.1 --nurbs lines.geojson
+exhaust 'places' lines planar -j 1 --at=0.1,-0.1 lines.geojson
 exhaust 'samples' lines planar -j 1 -n 2 some.jsonl
 exhaust 'samples of atph' lines planar -j 1 -n 2 atph.json
 exhaust 'samples in space' lines spatial-hermite -j 1 -n 2 space.json

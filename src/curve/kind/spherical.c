@@ -375,7 +375,13 @@ static ph_vec3 principal(const struct ph_sampler *sampler, double u,
  * CELLS of a segment in which a cusp is looked for; steps of the search for the
  * bottom of a dip and of a bisection; places that there is room for at first.
  */
-enum { CELLS = 64, STEPS_DIP = 40, STEPS_ROOT = 64, ROOM = 16 };
+enum {
+  CELLS = 64,
+  PLACES_MAX = CELLS + 1 + PH_SPHERICAL_CORNERS,
+  STEPS_DIP = 40,
+  STEPS_ROOT = 64,
+  ROOM = 16
+};
 
 struct walk {
   const struct ph_curve *curve;
@@ -434,16 +440,27 @@ static double root_between(const struct walk *walk, double from, double to,
   return 0.5 * (from + to);
 }
 
-/* g at the places of a segment. */
+/* g at the places of a segment, in order. */
 struct scan {
-  double u[CELLS + 1], g[CELLS + 1];
+  size_t n;
+  double u[PLACES_MAX], g[PLACES_MAX];
 };
 
+static void add_place(const struct walk *walk, double u, struct scan *scan) {
+  scan->u[scan->n] = u;
+  scan->g[scan->n++] = signed_speed(walk, u);
+}
+
 static void scan_segment(const struct walk *walk, struct scan *scan) {
+  double corner[PH_SPHERICAL_CORNERS];
+  size_t n = ph_spherical_corners(&walk->segment.segment, corner), next = 0;
+  scan->n = 0;
   for (size_t i = 0; i <= CELLS; i++) {
     double v = (double)i / CELLS, u = v * v * (3 - 2 * v);
-    scan->u[i] = u;
-    scan->g[i] = signed_speed(walk, u);
+    for (; next < n && corner[next] < u; next++) {
+      add_place(walk, corner[next], scan);
+    }
+    add_place(walk, u, scan);
   }
 }
 
@@ -473,7 +490,7 @@ static bool is_dip(const struct walk *walk, const struct scan *scan, size_t i,
  * through them, eight times as deep as it is, reaches 0. */
 static bool is_low(const struct scan *scan, size_t i) {
   const double *g = scan->g + i;
-  return i > 0 && i < CELLS && g[-1] * g[0] > 0 && g[0] * g[1] > 0 &&
+  return i > 0 && i + 1 < scan->n && g[-1] * g[0] > 0 && g[0] * g[1] > 0 &&
          fabs(g[0]) < fabs(g[-1]) && fabs(g[0]) <= fabs(g[1]) &&
          3 * fabs(g[0]) <= fabs(g[-1]) + fabs(g[1]);
 }
@@ -482,7 +499,7 @@ static void find_cusps(struct walk *walk) {
   struct scan scan;
   double from = 0, dip;
   scan_segment(walk, &scan);
-  for (size_t i = 0; i <= CELLS; i++) {
+  for (size_t i = 0; i < scan.n; i++) {
     int sign = sign_of(scan.g[i]);
     if (sign * walk->sign < 0) {
       add_cusp(walk,
@@ -522,11 +539,11 @@ enum { SAMPLES = 16 };
  * curvature NaN.
  *
  * Cusps are looked for between 64 places of each segment, which are denser
- * towards its ends, and at the joints (where a curve that is no more than G1
- * may have one); a dip of |g| among these places is searched for two.  Two that
- * are nearer to each other than these places, without such a dip, are missed.
- * Each is found to rounding.  The length is the integral of |g|, split at the
- * cusps, as well as |g| is known to rounding.
+ * towards its ends, at corners of its speed, and at the joints (where a curve
+ * that is no more than G1 may have one); a dip of |g| among these places is
+ * searched for two.  Two that are nearer to each other than these places,
+ * without such a dip, are missed. Each is found to rounding.  The length is the
+ * integral of |g|, split at the cusps, as well as |g| is known to rounding.
  */
 static enum ph_status offset(const struct ph_curve *curve, double distance,
                              const struct ph_offset_rules *rules,

@@ -8,6 +8,8 @@
 #include "kernel/degree.h"
 #include "kernel/pi.h"
 
+#include <gsl/gsl_sort.h>
+
 enum { N = 10 };
 
 static const double DEGREE = PH_PI / 180;
@@ -334,6 +336,125 @@ PH_TEST(test_pairs) {
     }
     o = offset_of(&c.curve, atan2(1, peak * (1 + apart[i])));
     ck_assert_uint_eq(o.cusps.n, 0);
+  }
+}
+
+/* g of (2), by the definition. */
+static double forward(const struct ph_curve *curve, double u, double d) {
+  double speed, kappa = unit_kappa(curve, 0, u, &speed);
+  return speed * (cos(d) - sin(d) * kappa);
+}
+
+static double turning(const struct ph_curve *curve, double from, double to,
+                      double d) {
+  bool ahead_first = forward(curve, from, d) > 0;
+  for (int i = 0; i < 80; i++) {
+    double u = 0.5 * (from + to);
+    if ((forward(curve, u, d) > 0) == ahead_first) {
+      from = u;
+    } else {
+      to = u;
+    }
+  }
+  return 0.5 * (from + to);
+}
+
+/* The cusps of the parallel of one segment, whose number this returns, and its
+ * length, with places that crowd at two others. */
+static size_t crowded(const struct ph_curve *curve, const double at[2],
+                      double d, double *length) {
+  enum { EVEN = 256, HALVINGS = 40, PLACES = EVEN + 1 + 4 * HALVINGS + 2 };
+  struct ph_quad rule;
+  double u[PLACES];
+  size_t n = 0, cusps = 0;
+  for (size_t i = 0; i <= EVEN; i++) {
+    u[n++] = (double)i / EVEN;
+  }
+  for (size_t i = 0; i < 2; i++) {
+    double near = at[1] > at[0] ? 0.5 * (at[1] - at[0]) : 0.1;
+    u[n++] = at[i];
+    for (size_t j = 0; j < HALVINGS; j++, near *= 0.5) {
+      u[n++] = fmax(at[i] - near, 0);
+      u[n++] = fmin(at[i] + near, 1);
+    }
+  }
+  gsl_sort(u, 1, n);
+  ck_assert(ph_quad_gauss(&rule, 20));
+  *length = 0;
+  for (size_t i = 0; i + 1 < n; i++) {
+    double from[3] = {u[i], u[i + 1], u[i + 1]};
+    if ((forward(curve, u[i], d) > 0) != (forward(curve, u[i + 1], d) > 0)) {
+      from[1] = turning(curve, u[i], u[i + 1], d);
+      cusps++;
+    }
+    for (size_t part = 0; part < 2; part++) {
+      double width = from[part + 1] - from[part];
+      for (size_t j = 0; width > 0 && j < rule.n; j++) {
+        *length += rule.weight[j] * width *
+                   fabs(forward(curve, from[part] + rule.node[j] * width, d));
+      }
+    }
+  }
+  return cusps;
+}
+
+static double slowness(const struct ph_curve *curve, double u) {
+  double speed;
+  unit_kappa(curve, 0, u, &speed);
+  return speed;
+}
+
+/* The two places of least speed between others, or the only one twice. */
+static void slow_places(const struct ph_curve *curve, double at[2]) {
+  enum { STEPS = 4000, THIRDS = 80 };
+  size_t n = 0;
+  for (size_t i = 1; i < STEPS && n < 2; i++) {
+    double from = (double)(i - 1) / STEPS, to = (double)(i + 1) / STEPS;
+    double here = slowness(curve, (double)i / STEPS);
+    if (here <= slowness(curve, from) && here < slowness(curve, to)) {
+      for (int k = 0; k < THIRDS; k++) {
+        double a = from + (to - from) / 3, b = to - (to - from) / 3;
+        if (slowness(curve, a) < slowness(curve, b)) {
+          to = b;
+        } else {
+          from = a;
+        }
+      }
+      at[n++] = 0.5 * (from + to);
+    }
+  }
+  ck_assert_uint_gt(n, 0);
+  at[1] = n < 2 ? at[0] : at[1];
+}
+
+/* Forth, back for a short way, and forth, beside a great circle: two sharp
+ * turns near each other. */
+PH_TEST(test_running_back) {
+  struct unit_random r = unit_random_of(612909);
+  for (int i = 0; i < unit_count(100); i++) {
+    double scale = pow(10, unit_random_in(&r, -3, -0.5));
+    double t = unit_random_in(&r, 0.1, 0.9), at = 0, length;
+    double back = pow(10, unit_random_in(&r, -2.5, -1.1));
+    double beside = scale * pow(10, unit_random_in(&r, -4, -1));
+    double d = unit_random_in(&r, -1, 1), turns[2];
+    const double b[3] = {t * t - back * back, t * t - back * back - t,
+                         t * t - back * back - 2 * t + 1};
+    struct unit_spherical c;
+    struct ph_offset o;
+    ph_vec3 p[4];
+    size_t cusps;
+    for (size_t k = 0; k < 4; k++) {
+      double up = beside * unit_random_in(&r, -1, 1);
+      p[k] = ph_degree_to_unit(at / DEGREE, up / DEGREE);
+      at += k < 3 ? scale * b[k] : 0;
+    }
+    unit_spherical_of(&c, 1, false, p);
+    slow_places(&c.curve, turns);
+    cusps = crowded(&c.curve, turns, d, &length);
+    o = offset_of(&c.curve, d);
+    ck_assert_uint_eq(o.cusps.n, cusps);
+    ck_rel(o.length, length, 1e-9);
+    ph_arena_reset(&unit_arena);
   }
 }
 
