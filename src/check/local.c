@@ -413,19 +413,27 @@ struct ph_check_dips ph_check_path_slow(const struct ph_check_path *path) {
   return slow;
 }
 
+static double between(const struct ph_check_path *path, double from, double to,
+                      double *error) {
+  return fabs(path->distance) > 0
+             ? between_cusps(path, from, to, error)
+             : ph_check_length_of(path->v, path->s, from, to);
+}
+
 /* The integral over [from,to], where there is no cusp, from one place where the
- * curve all but stands still to the next: the offset turns there. */
+ * curve all but stands still to the next: the offset turns there, and the speed
+ * on a sphere has a corner. */
 static double from_dip_to_dip(const struct ph_check_path *path,
                               const struct ph_check_dips *slow, double from,
                               double to, double *error) {
   double length = 0;
   for (size_t i = 0; i < slow->n; i++) {
     if (slow->x[i] > from && slow->x[i] < to) {
-      length += between_cusps(path, from, slow->x[i], error);
+      length += between(path, from, slow->x[i], error);
       from = slow->x[i];
     }
   }
-  return length + between_cusps(path, from, to, error);
+  return length + between(path, from, to, error);
 }
 
 double ph_check_path_length(const struct ph_check_path *path,
@@ -433,9 +441,6 @@ double ph_check_path_length(const struct ph_check_path *path,
                             double to, double *error) {
   const struct ph_cusps *cusps = path->cusps;
   double length = 0;
-  if (!(fabs(path->distance) > 0)) {
-    return ph_check_length_of(path->v, path->s, from, to);
-  }
   for (size_t i = cusp_after(path, from);
        cusps && i < cusps->n && cusps->at[i].segment == path->s->k &&
        cusps->at[i].t < to * path->s->unit;

@@ -68,8 +68,8 @@ struct ph_check_dips ph_check_path_slow(const struct ph_check_path *path);
  * ph_check_path_length: the length of the path between two places, NaN where
  * it is not found; as ph_check_length_of.
  *
- * in    slow   ph_check_path_slow, of offsets: each place may be an end of a
- *              short turn, which is not seen from elsewhere
+ * in    slow   ph_check_path_slow, of offsets and on spheres: each place may be
+ *              an end of a short turn, which is not seen from elsewhere
  * inout error  grows by how much that of an offset is uncertain
  */
 double ph_check_path_length(const struct ph_check_path *path,

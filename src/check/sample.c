@@ -25,7 +25,7 @@ struct walk {
   const struct ph_samples *of;
   struct ph_check_path path;
   struct ph_check_segment segment;
-  struct ph_check_dips slow; /* of an offset */
+  struct ph_check_dips slow; /* of an offset, and on a sphere */
   struct ph_check_framing framing;
   size_t k;    /* the segment, of which */
   double u, s; /* a place and the arc length from its start are known */
@@ -59,7 +59,7 @@ static void next_segment(struct walk *w) {
   w->u = w->s = 0;
   if (w->k < w->v->curve->n) {
     ph_check_load(w->v, w->k, &w->segment);
-    if (fabs(w->path.distance) > 0) {
+    if (fabs(w->path.distance) > 0 || w->v->kind->sphere) {
       w->slow = ph_check_path_slow(&w->path);
     }
   }

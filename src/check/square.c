@@ -16,6 +16,8 @@
  */
 #include "check/checks.h"
 
+#include "check/sphere_segment.h"
+
 #include "kernel/quat.h"
 
 enum { SQUARE_MAX = 2 * PH_CHECK_FORM_MAX + 1, PLACES = 16 };
@@ -211,6 +213,23 @@ static void verify(struct ph_check *v, struct ph_check_segment *s,
   }
 }
 
+/* By quadrature; on a sphere by the certificate's way, which sees where the
+ * curve runs back for a moment, from a claim or what quadrature makes of it. */
+static double length_of(const struct ph_check *v,
+                        const struct ph_check_segment *s) {
+  const double *claimed = v->curve->lengths;
+  struct ph_check_nu_segment nu;
+  double length;
+  if (!v->kind->sphere) {
+    return ph_check_length_of(v, s, 0, 1);
+  }
+  length = claimed ? ph_check_scaled(v, claimed[s->k])
+                   : ph_check_length_of(v, s, 0, 1);
+  ph_check_nu_segment_of(s->p, s->noise / s->radius, &nu);
+  return s->radius *
+         ph_check_nu_length(&nu, length / s->radius, s->noise / s->radius);
+}
+
 void ph_check_square(struct ph_check *v, struct ph_check_segment *s) {
   bool preimage = v->kind->square && v->curve->preimage.v;
   double miss = HUGE_VAL;
@@ -234,6 +253,6 @@ void ph_check_square(struct ph_check *v, struct ph_check_segment *s) {
     verify(v, s, preimage, miss);
   }
   if (isnan(v->length[s->k])) {
-    v->length[s->k] = ph_check_length_of(v, s, 0, 1);
+    v->length[s->k] = length_of(v, s);
   }
 }

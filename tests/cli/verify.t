@@ -161,6 +161,19 @@ echo '{"points":[[0,0,0],[0,0,1e299],[-2e299,2e299,0]],"closed":true,
 made spatial-hermite --offset=1e300 --sample=2 <huge
 verified 'an offset of a huge ATPH spline' 1 --problems=huge
 
+# lengths of segments that run back for a moment, at points near each other and
+# on a great circle
+echo '{"points":[[-245.34,0,0],[-245.34,5e-10,0]],"center":[-246.34,0,0],
+  "end_tangents":[[0,-1,-0.3],[0,0.2,-0.9]]}' >back
+made sphere --sample=3 <back
+verified 'a short segment that runs back' 1 --problems=back
+echo '{"points":[[-0.0372291,0.00512297,0.0564435],
+  [-0.05769593,0.019875403,0.02956793],[-0.0609783,0.02379864,0.01770275],
+  [-0.0582864,0.0298604,-0.017583],[-0.0400889,0.02775815,-0.04712196]],
+  "closed":true,"knots":"uniform","radius":0.0678}' >back
+made sphere --sample=3 <back
+verified 'data that turn back on a great circle' 1 --problems=back
+
 # frames that minimise rotation, where the curve turns in a short part of the way
 # from sample to sample
 echo '{"points":[[0,0,0],[1.75,5.2,-3.2],[1.6,4.78,-2.9],[1.94,5.8,-3.5]],
