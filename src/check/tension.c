@@ -20,6 +20,10 @@
 /* Roundings of a point in (2), whose angles add up. */
 static const double ROUND_NIELSON = 64;
 
+/* A control point fits to 1e-14 of the radius and no better, however near it is
+ * to its node: S' of a segment to three times that. */
+static const double SOLVED = 3e-14;
+
 enum model { EXACT, NIELSON, MODELS };
 
 /* The worst of a model. */
@@ -61,7 +65,7 @@ static struct side side_of(const struct context *c,
   across = ph_vec3_along(jet[2], speed * speed, jet[0]);
   side.velocity = ph_vec3_scale(1 / h, jet[1]);
   side.acceleration = ph_vec3_scale(1 / (h * h), across);
-  side.velocity_error = noise / h + c->v->knot * speed / (h * h);
+  side.velocity_error = (noise + SOLVED) / h + c->v->knot * speed / (h * h);
   side.acceleration_error =
       next / (h * h) + 2 * c->v->knot * second / (h * h * h);
   side.curvature = ph_vec3_dot(jet[0], ph_vec3_cross(jet[1], jet[2])) /

@@ -174,6 +174,13 @@ echo '{"points":[[-0.0372291,0.00512297,0.0564435],
 made sphere --sample=3 <back
 verified 'data that turn back on a great circle' 1 --problems=back
 
+# tensions where a control point is all but at its node
+echo '{"points":[[0.2944,0.1291,0.947],[0.442913,0.170524,-0.8802],
+  [-0.436408,-0.167847,0.88395],[0.288,0.1535,-0.945],[0.46,-0.037,0.887]],
+  "closed":true,"increase":"times:1.22"}' >near
+made sphere <near
+verified 'tensions of 1e6' 1 --problems=near
+
 # frames that minimise rotation, where the curve turns in a short part of the way
 # from sample to sample
 echo '{"points":[[0,0,0],[1.75,5.2,-3.2],[1.6,4.78,-2.9],[1.94,5.8,-3.5]],
