@@ -72,7 +72,7 @@ enum ph_status ph_blaschke_curve(struct ph_curve *curve, struct ph_arena *arena,
   struct walk walk = {curve, false};
   enum ph_status status;
   curve->blaschke.n = 0;
-  status = ph_rational_walk(curve, what, visit, &walk, diag);
+  status = ph_rational_walk(curve, 0, curve->n, what, visit, &walk, diag);
   if (status != PH_OK) {
     return status;
   }
@@ -83,7 +83,7 @@ enum ph_status ph_blaschke_curve(struct ph_curve *curve, struct ph_arena *arena,
   }
   curve->blaschke.n = 0;
   walk.fill = true;
-  status = ph_rational_walk(curve, what, visit, &walk, diag);
+  status = ph_rational_walk(curve, 0, curve->n, what, visit, &walk, diag);
   for (size_t i = 0; status == PH_OK && i < curve->blaschke.n; i++) {
     const struct ph_blaschke *image = &curve->blaschke.v[i];
     if (!is_finite(image)) {

@@ -5,6 +5,7 @@
  */
 #include "curve/offset/offset.h"
 
+#include "base/team.h"
 #include "curve/bezier/hermite.h"
 #include "curve/kind/kind.h"
 #include "curve/offset/cusp.h"
@@ -17,15 +18,19 @@ enum { RANGE = 960 };
 
 /* What a walk over the pieces of a curve does with each. */
 struct walk {
-  struct ph_offset *offset; /* n counts the pieces */
+  struct ph_offset *offset;
   enum ph_normal normal;
   bool fill; /* false: only count */
+  size_t n;  /* of the next piece */
 };
+
+/* Segments that a thread takes at a time, and that are worth one. */
+enum { PART = 128, WORTH = 512 };
 
 static void fill_piece(const struct walk *walk,
                        const struct ph_rational *piece) {
   struct ph_offset *offset = walk->offset;
-  const size_t points = 2 * piece->degree, at = offset->n;
+  const size_t points = 2 * piece->degree, at = walk->n;
   ph_rational_points(piece, walk->normal, offset->distance, offset->dimension,
                      offset->control_points + offset->dimension * points * at,
                      offset->weights + points * at);
@@ -39,7 +44,7 @@ static void visit(void *context, const struct ph_rational *piece) {
   if (walk->fill) {
     fill_piece(walk, piece);
   }
-  walk->offset->n++;
+  walk->n++;
 }
 
 /* The power of 2 by which numerator and denominator are larger than those of A
@@ -110,14 +115,60 @@ static enum ph_status quotients(const struct ph_curve *curve,
                            &offset->pieces, diag);
 }
 
+/* The pieces of a curve in parts. */
+struct parts {
+  const struct ph_curve *curve;
+  struct walk walk;
+  size_t *first; /* piece of each part; before they are counted, their number */
+};
+
+/* Nobody reads the message: who puts parts together finds the failure again. */
+static bool walk_part(void *context, size_t thread, size_t first, size_t end) {
+  const struct parts *parts = context;
+  struct walk walk = parts->walk;
+  struct ph_diag diag;
+  enum ph_status status;
+  (void)thread;
+  walk.n = walk.fill ? parts->first[first / PART] : 0;
+  status =
+      ph_rational_walk(parts->curve, first, end, "offset", visit, &walk, &diag);
+  if (!walk.fill) {
+    parts->first[first / PART] = status == PH_OK ? walk.n : SIZE_MAX;
+  }
+  return status == PH_OK;
+}
+
+/* Counts the pieces; the first failure is that of the first part that has
+ * one. */
+static enum ph_status count_pieces(struct parts *parts, struct ph_arena *arena,
+                                   struct ph_diag *diag) {
+  const size_t n = parts->curve->n;
+  struct walk *walk = &parts->walk;
+  walk->offset->n = 0;
+  parts->first = ph_arena_array(arena, n / PART + 1, sizeof *parts->first);
+  if (!parts->first) {
+    return ph_fail_memory(diag);
+  }
+  ph_team_share(arena, n, WORTH, PART, walk_part, parts);
+  for (size_t i = 0; i < n; i += PART) {
+    const size_t count = parts->first[i / PART];
+    if (count == SIZE_MAX) {
+      return ph_rational_walk(parts->curve, i, n, "offset", visit, walk, diag);
+    }
+    parts->first[i / PART] = walk->offset->n;
+    walk->offset->n += count;
+  }
+  return PH_OK;
+}
+
 static enum ph_status rationals(const struct ph_curve *curve,
                                 enum ph_normal normal, double tolerance,
                                 struct ph_arena *arena,
                                 struct ph_offset *offset,
                                 struct ph_diag *diag) {
-  struct walk walk = {offset, normal, false};
+  struct parts parts = {.curve = curve, .walk = {offset, normal, false, 0}};
   size_t n, points = 2 * curve->degree, number = sizeof(double);
-  enum ph_status status = ph_rational_walk(curve, "offset", visit, &walk, diag);
+  enum ph_status status = count_pieces(&parts, arena, diag);
   (void)tolerance;
   if (status != PH_OK) {
     return status;
@@ -133,9 +184,9 @@ static enum ph_status rationals(const struct ph_curve *curve,
       !offset->weights) {
     return ph_fail_memory(diag);
   }
-  offset->n = 0;
-  walk.fill = true;
-  return ph_rational_walk(curve, "offset", visit, &walk, diag);
+  parts.walk.fill = true;
+  ph_team_share(arena, curve->n, WORTH, PART, walk_part, &parts);
+  return PH_OK;
 }
 
 /* Whether every number of an offset is one. */

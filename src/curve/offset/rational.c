@@ -184,11 +184,12 @@ static bool rests(const struct piece *piece) {
   return !ph_tc_is_regular(&tc);
 }
 
-enum ph_status ph_rational_walk(const struct ph_curve *curve, const char *what,
+enum ph_status ph_rational_walk(const struct ph_curve *curve, size_t first,
+                                size_t end, const char *what,
                                 ph_rational_visit *each, void *context,
                                 struct ph_diag *diag) {
   struct walk walk = {curve->degree, 0, each, context};
-  for (size_t k = 0; k < curve->n; k++) {
+  for (size_t k = first; k < end; k++) {
     struct piece piece = segment_of(curve, k);
     enum ph_status status;
     walk.segment = k;

@@ -41,14 +41,15 @@ struct ph_rational {
 typedef void ph_rational_visit(void *context, const struct ph_rational *piece);
 
 /*
- * ph_rational_walk: visits the pieces of a curve in order.
+ * ph_rational_walk: visits the pieces of segments first to end - 1 in order.
  *
  * in   curve  PH_CURVE_PH or PH_CURVE_TC
  * in   what   is written over them: for the message
  * ret  PH_OK | PH_E_INFEASIBLE (the curve stands still somewhere: no normal
  *      there; names the segment) | PH_E_TOO_LARGE (its speed; likewise)
  */
-enum ph_status ph_rational_walk(const struct ph_curve *curve, const char *what,
+enum ph_status ph_rational_walk(const struct ph_curve *curve, size_t first,
+                                size_t end, const char *what,
                                 ph_rational_visit *visit, void *context,
                                 struct ph_diag *diag);
 
