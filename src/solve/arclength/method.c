@@ -330,16 +330,17 @@ static void settle_for(struct task *t, const struct saddle *saddle) {
 
 /* Finds curves with as few segments in an interval as it takes: more of them
  * promise more than random waves.  Measured lengths always have an answer, at
- * worst a curve that was not proved to be a minimum: at last their augmented
- * Lagrangians, too, go on to where they creep. */
+ * worst a curve that was not proved to be a minimum; so everything is tried
+ * with the fewest first. */
 static enum ph_status find_refined(struct task *t) {
-  size_t first = t->request.refine, passes = first == t->refine_last ? 1 : 2;
   bool soft = is_soft(t) && !t->data.tangent_sigma;
+  size_t first = t->request.refine;
+  size_t passes = soft || first == t->refine_last ? 1 : 2;
   struct saddle saddle = {.left_plane = false};
   struct ph_mark mark = ph_arena_mark(t->scratch);
   enum ph_status status = PH_OK;
   for (size_t pass = 0; pass < passes; pass++) {
-    t->request.rescue = pass == 0 || soft;
+    t->request.rescue = pass == 0;
     t->request.waves = pass + 1 == passes;
     for (size_t r = first; r <= t->refine_last; r++) {
       t->request.saddles =
