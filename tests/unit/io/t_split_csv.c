@@ -90,8 +90,8 @@ PH_TEST(test_csv_bad_headers) {
         "1 1 syntax 1:1 the file has no header row: --columns must name its 3 "
         "columns\nstopped");
   gives("a.csv", "1,2,3\n",
-        "1 1 unknown-field 1:1 column \"z\" is unknown to planar "
-        "(--ignore-columns skips it)\nstopped");
+        "1 1 unknown-field 1:1 the file has no header row and 3 columns, and "
+        "planar takes x and y (--columns=x,y,- skips the third)\nstopped");
   gives_with(&csv, &space, "1,2\n",
              "1 1 missing-field 1:1 column \"z\" is missing: spatial needs it "
              "for points\nstopped");
@@ -114,9 +114,10 @@ PH_TEST(test_csv_plane) {
   gives_with(&csv, &plane, "dx,dy,dz\n",
              "1 1 unknown-field 1:7 column \"dz\" is unknown to tc; did you "
              "mean \"dx\"? (--ignore-columns skips it)\nstopped");
-  gives_with(&csv, &plane, "0,1,2\n",
-             "1 1 unknown-field 1:1 column \"z\" is unknown to tc "
-             "(--ignore-columns skips it)\nstopped");
+  gives_with(
+      &csv, &plane, "0,1,2\n",
+      "1 1 unknown-field 1:1 the file has no header row and 3 columns, and "
+      "tc takes x and y (--columns=x,y,- skips the third)\nstopped");
   gives_with(&csv, &plane, "0,1,2,3\n",
              "1 1 syntax 1:1 the file has no header row: --columns must name "
              "its 4 columns\nstopped");
