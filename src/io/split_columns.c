@@ -3,8 +3,7 @@
  * What the columns of CSV mean (see split.h): by --columns, by the header of
  * the file, or by the number of columns; and what delimits them.
  *
- * Of what the cells hold, the first row's is looked at, which may be the
- * header.
+ * Of the cells, those of the first row are looked at: a header, or data.
  */
 #include "io/split.h"
 
@@ -206,7 +205,7 @@ static enum ph_status check_choice(const struct list *list,
   return PH_OK;
 }
 
-/* Whether a column is not for us; else what it is called here. */
+/* Whether a column is not for us, as some are; else what it is called here. */
 static bool is_skipped(const struct list *list, const struct ph_csv_cell *cell,
                        const struct ph_csv_columns *columns,
                        struct ph_csv_cell *name) {
@@ -220,9 +219,10 @@ static bool is_skipped(const struct list *list, const struct ph_csv_cell *cell,
     return !find_choice(split, cell, name);
   }
   k = find_name(split->schema, cell->text, cell->n);
-  return columns->results ? k == NAMES || (names[k].field != PH_CSV_ID &&
-                                           names[k].field != PH_F_POINTS)
-                          : k == NAMES && split->options.ignore_columns;
+  return columns->results
+             ? k == NAMES || (names[k].field != PH_CSV_ID &&
+                              names[k].field != PH_F_POINTS)
+             : k == NAMES && split->options.ignore_columns && list->points;
 }
 
 /* Column i, which is named by a cell. */

@@ -286,6 +286,12 @@ $(failed 1 1)"
 }
 remedy 'columns of other names' Easting \
   '--columns=x=NAME,y=NAME takes columns by their names' 'Easting;Northing;Name'
+csv 'columns of other names, ignored' '3 absent absent' \
+  'Easting;Northing\n0;0\n1;1\n' --ignore-columns
+expect 'columns of other names, ignored: the remedy' 3 "phspline: a.csv:1: record \
+1: column \"Easting\" is unknown to planar (--columns=x=NAME,y=NAME takes columns \
+by their names) [unknown-field]
+$(failed 1 1)"
 remedy 'WKT in a column' geom 'ogr2ogr -f GeoJSON converts WKT' 'geom;a;b'
 remedy 'a column beside points' geom '--ignore-columns skips it' 'x;y;geom'
 csv 'no WKT' '3 absent absent' 'POINTS,x\n0,0\n'
