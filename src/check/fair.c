@@ -21,12 +21,16 @@
 #include "check/dips.h"
 
 #include "base/sum.h"
+#include "base/team.h"
 #include "kernel/pi.h"
 
 #include <string.h>
 
 /* Integrals, relative. */
 static const double INTEGRAL = 1e-11;
+
+/* Segments that a thread takes at a time. */
+enum { PART = 64 };
 
 /* Claims that were integrated to less are not looked at closer. */
 static const double CLAIMED = 1e-10;
@@ -167,6 +171,7 @@ struct fair {
   struct total of[INTEGRALS]; /* integrals over the curve */
   struct total f[3];          /* F1, F2, F3 */
   bool wanted[INTEGRALS];     /* and found in all segments so far */
+  bool stands;                /* nearly still: nothing can be said */
 };
 
 static void add(struct total *total, double x, double error) {
@@ -461,6 +466,62 @@ static void set_wanted(struct fair *fair) {
       plane && ph_check_known(v, PH_D_ABSOLUTE_ROTATION_INDEX);
 }
 
+/* The sums of a curve in parts, which are put together in their order. */
+struct parts {
+  const struct fair *none;
+  struct fair *part;
+};
+
+static bool add_part(void *context, size_t thread, size_t first, size_t end) {
+  const struct parts *parts = context;
+  struct fair *fair = &parts->part[first / PART];
+  (void)thread;
+  *fair = *parts->none;
+  for (size_t k = first; k < end && !ph_arena_late(fair->v->scratch); k++) {
+    struct ph_check_segment s;
+    struct ph_check_dips slow;
+    ph_check_load(fair->v, k, &s);
+    slow = ph_check_slow_of(&s);
+    if (!(slow.low > (s.noise / STILL) * (s.noise / STILL))) {
+      fair->stands = true;
+      return false;
+    }
+    add_segment(fair, &s, &slow);
+  }
+  return true;
+}
+
+static void join(struct total *total, const struct total *more) {
+  ph_sum_join(&total->sum, &more->sum);
+  total->error += more->error;
+}
+
+/* Sums over all segments, by all threads that there are; false: no memory. */
+static bool add_segments(struct fair *fair) {
+  const struct ph_check *v = fair->v;
+  const size_t n = v->curve->n, parts_n = (n + PART - 1) / PART;
+  const struct fair none = *fair;
+  struct parts parts = {
+      &none, ph_arena_array(v->scratch, parts_n, sizeof *parts.part)};
+  if (!parts.part) {
+    return false;
+  }
+  memset(parts.part, 0, parts_n * sizeof *parts.part);
+  ph_team_share(v->scratch, n, 2 * PART, PART, add_part, &parts);
+  for (size_t i = 0; i < parts_n; i++) {
+    const struct fair *part = &parts.part[i];
+    for (size_t j = 0; j < INTEGRALS; j++) {
+      join(&fair->of[j], &part->of[j]);
+      fair->wanted[j] = fair->wanted[j] && part->wanted[j];
+    }
+    for (size_t j = 0; j < 3; j++) {
+      join(&fair->f[j], &part->f[j]);
+    }
+    fair->stands = fair->stands || part->stands;
+  }
+  return true;
+}
+
 void ph_check_fairness(struct ph_check *v) {
   struct fair fair = {.v = v};
   struct claim claim[CLAIMS];
@@ -473,15 +534,12 @@ void ph_check_fairness(struct ph_check *v) {
   if (!any || !v->kind->square) {
     return; /* Bezier curves stand for another */
   }
-  for (size_t k = 0; k < v->curve->n && !ph_arena_late(v->scratch); k++) {
-    struct ph_check_segment s;
-    struct ph_check_dips slow;
-    ph_check_load(v, k, &s);
-    slow = ph_check_slow_of(&s);
-    if (!(slow.low > (s.noise / STILL) * (s.noise / STILL))) {
-      return; /* nearly stands still: nothing can be said */
-    }
-    add_segment(&fair, &s, &slow);
+  if (!add_segments(&fair)) {
+    v->status = ph_fail_memory(v->diag);
+    return;
+  }
+  if (fair.stands) {
+    return;
   }
   n = claims_of(&fair, claim);
   for (size_t i = 0; i < n; i++) {

@@ -147,6 +147,12 @@ same 'offsets of a long walk, as a table' 0 -q -f csv --table=offsets -d 0.01 \
   walk.csv
 same 'lengths of a long walk, as a table' 0 -q -f csv --table=lengths walk.csv
 same 'a drawing of a long walk' 0 -q -f svg-path walk.csv
+walk 5 "$lines" >walk.csv
+run planar -q -o walk.json walk.csv
+sed 's/"energy":/"energy":1/' walk.json >false.json
+method=verify
+same 'energies of a long walk' 1 walk.json false.json
+method=planar
 
 # ---- points in space ---------------------------------------------------------
 
