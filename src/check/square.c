@@ -225,7 +225,8 @@ static double length_of(const struct ph_check *v,
   }
   length = claimed ? ph_check_scaled(v, claimed[s->k])
                    : ph_check_length_of(v, s, 0, 1);
-  ph_check_nu_segment_of(s->p, s->noise / s->radius, &nu);
+  ph_check_nu_segment_of(s->p, s->noise / PH_CHECK_ROUND_FIRST / s->radius,
+                         &nu);
   return s->radius *
          ph_check_nu_length(&nu, length / s->radius, s->noise / s->radius);
 }
