@@ -124,6 +124,22 @@ static bool take(struct taken *taken, struct ph_spot at, double em) {
   return true;
 }
 
+/* Where the name of an upright axis is: between two numbers, which may be as
+ * wide as they like, near the middle. */
+static double between_numbers(const struct ph_axis *axis) {
+  double best = 0.5, off = HUGE_VAL;
+  for (size_t i = 0; i + 1 < axis->ticks.n; i++) {
+    const double t = (ph_axis_place(axis, axis->ticks.at[i]) +
+                      ph_axis_place(axis, axis->ticks.at[i + 1])) /
+                     2;
+    if (fabs(t - 0.5) < off) {
+      off = fabs(t - 0.5);
+      best = t;
+    }
+  }
+  return best;
+}
+
 static void draw_axis(const struct ph_look *look, int which,
                       struct taken *taken) {
   static const char *const names[3] = {"x", "y", "z"};
@@ -157,7 +173,7 @@ static void draw_axis(const struct ph_look *look, int which,
     ph_page_text(look->page, at, NUMBER_SIZE * em, which < 2 ? 0.5 : 0.75,
                  false, axis.ticks.label[i]);
   }
-  at = outside(&edge, 0.5, NAME * em);
+  at = outside(&edge, which < 2 ? 0.5 : between_numbers(&axis), NAME * em);
   at.y += 0.33 * NAME_SIZE * em;
   ph_axis_name(&axis, look->page, NAME_SIZE * em, 0, at, false);
 }
