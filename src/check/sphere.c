@@ -31,10 +31,10 @@
 /* Tolerances.  Points on the sphere and at the data, in units of the rounding
  * of a point; the same for the directions and legs at the ends.  A length is
  * the sum of up to 80 intervals. */
-static const double ROUND_POINT = 8, ROUND_LENGTH = 96, ROUND_TENSION = 16;
+static const double ROUND_POINT = 8, ROUND_TENSION = 16;
 
 /* Relative: the solver leaves the rounding of a few operations. */
-static const double CONTINUITY = 1e-12, END = 1e-12, LENGTH = 1e-11;
+static const double CONTINUITY = 1e-12, END = 1e-12;
 static const double SUM = 1e-12, KNOT = 8 * DBL_EPSILON;
 
 /* Of models whose equations are those of the data, relative to their angles;
@@ -181,7 +181,7 @@ static void check_length(const struct context *c,
                          const struct ph_check_nu_segment *s, size_t k,
                          struct checks *checks) {
   double claimed = on_unit(c, c->curve->lengths[k]);
-  double allowed = LENGTH * claimed + ROUND_LENGTH * c->rounding;
+  double allowed = ph_check_nu_allowed(s, claimed);
   double length = ph_check_nu_length(s, claimed, allowed);
   ph_check_add(&checks->length, k, fabs(length - claimed),
                on_unit(c, c->curve->length), allowed);

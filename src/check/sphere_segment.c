@@ -384,3 +384,9 @@ double ph_check_nu_length(const struct ph_check_nu_segment *s, double claimed,
   }
   return length;
 }
+
+double ph_check_nu_allowed(const struct ph_check_nu_segment *s,
+                           double claimed) {
+  static const double relative = 1e-11, roundings = 96; /* of a point */
+  return relative * claimed + roundings * s->rounding;
+}

@@ -58,4 +58,7 @@ int ph_check_nu_turns(const struct ph_check_nu_segment *s, int q);
 double ph_check_nu_length(const struct ph_check_nu_segment *s, double claimed,
                           double allowed);
 
+/* ph_check_nu_allowed: how far a length that is claimed may be off. */
+double ph_check_nu_allowed(const struct ph_check_nu_segment *s, double claimed);
+
 #endif

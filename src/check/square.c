@@ -214,21 +214,21 @@ static void verify(struct ph_check *v, struct ph_check_segment *s,
 }
 
 /* By quadrature; on a sphere by the certificate's way, which sees where the
- * curve runs back for a moment, from a claim or what quadrature makes of it. */
+ * curve runs back for a moment: a claim that it allows is the length. */
 static double length_of(const struct ph_check *v,
                         const struct ph_check_segment *s) {
   const double *claimed = v->curve->lengths;
   struct ph_check_nu_segment nu;
-  double length;
-  if (!v->kind->sphere) {
+  double length, found, allowed;
+  if (!v->kind->sphere || !claimed) {
     return ph_check_length_of(v, s, 0, 1);
   }
-  length = claimed ? ph_check_scaled(v, claimed[s->k])
-                   : ph_check_length_of(v, s, 0, 1);
-  ph_check_nu_segment_of(s->p, s->noise / PH_CHECK_ROUND_FIRST / s->radius,
+  length = ph_check_scaled(v, claimed[s->k]) / s->radius;
+  ph_check_nu_segment_of(s->p, 3 * DBL_EPSILON + v->scale.rounding / s->radius,
                          &nu);
-  return s->radius *
-         ph_check_nu_length(&nu, length / s->radius, s->noise / s->radius);
+  allowed = ph_check_nu_allowed(&nu, length);
+  found = ph_check_nu_length(&nu, length, allowed);
+  return s->radius * (fabs(found - length) <= allowed ? length : found);
 }
 
 void ph_check_square(struct ph_check *v, struct ph_check_segment *s) {
