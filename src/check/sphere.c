@@ -29,8 +29,7 @@
 #include <float.h>
 
 /* Tolerances.  Points on the sphere and at the data, in units of the rounding
- * of a point; the same for the directions and legs at the ends.  A length is
- * the sum of up to 80 intervals. */
+ * of a point; the same for the directions and legs at the ends. */
 static const double ROUND_POINT = 8, ROUND_TENSION = 16;
 
 /* Relative: the solver leaves the rounding of a few operations. */

@@ -387,6 +387,7 @@ double ph_check_nu_length(const struct ph_check_nu_segment *s, double claimed,
 
 double ph_check_nu_allowed(const struct ph_check_nu_segment *s,
                            double claimed) {
-  static const double relative = 1e-11, roundings = 96; /* of a point */
+  /* the sum of up to 80 intervals, each as rounded as a point */
+  static const double relative = 1e-11, roundings = 96;
   return relative * claimed + roundings * s->rounding;
 }

@@ -58,7 +58,8 @@ int ph_check_nu_turns(const struct ph_check_nu_segment *s, int q);
 double ph_check_nu_length(const struct ph_check_nu_segment *s, double claimed,
                           double allowed);
 
-/* ph_check_nu_allowed: how far a length that is claimed may be off. */
+/* ph_check_nu_allowed: how far a length that is claimed may be off: by 1e-11 of
+ * it and the rounding of points. */
 double ph_check_nu_allowed(const struct ph_check_nu_segment *s, double claimed);
 
 #endif

@@ -343,8 +343,7 @@ static enum ph_status find_refined(struct task *t) {
     t->request.rescue = pass == 0;
     t->request.waves = pass + 1 == passes;
     for (size_t r = first; r <= t->refine_last; r++) {
-      t->request.saddles =
-          soft && t->request.waves && !saddle.search.has_saddle;
+      t->request.saddles = soft && !saddle.search.has_saddle;
       t->request.refine = r;
       t->left_plane = false;
       ph_arena_release(t->scratch, mark);

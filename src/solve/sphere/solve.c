@@ -249,15 +249,13 @@ static bool settle_all(struct ph_sphere_spline *s, bool tense,
                        struct ph_sphere_work *work) {
   struct ph_sphere_range all = ph_sphere_all(s->data);
   size_t size = s->data->n * sizeof *s->nu;
-  bool solved;
   memcpy(work->aim, s->nu, size);
   memcpy(work->tension, s->nu, size);
   memset(work->held, 0, size);
   s->model->hug(s, all);
   set_tensions(s, all, SIGMA_MAX, work);
-  solved = ph_sphere_newton(s, all, work) &&
-           ph_sphere_settle(s, all, work->aim, tense, work);
-  return solved;
+  return ph_sphere_newton(s, all, work) &&
+         ph_sphere_settle(s, all, work->aim, tense, work);
 }
 
 static bool solve(struct ph_sphere_spline *s, bool tense,
