@@ -185,15 +185,10 @@ struct interval {
   double from, to;
 };
 
-static ph_vec3 weighted(double t, double x, ph_vec3 p, ph_vec3 q) {
-  return ph_vec3_along(ph_vec3_scale(ph_s2_weight(1 - t, x), p),
-                       ph_s2_weight(t, x), q);
-}
-
 static ph_vec3 point_at(const struct ph_check_nu_segment *s, double t) {
   ph_vec3 z[3];
   for (size_t i = 0; i < 3; i++) {
-    z[i] = weighted(t, s->x[i], s->p[i], s->p[i + 1]);
+    z[i] = ph_s2_between(s->p[i], s->p[i + 1], s->x[i], t);
   }
   z[0] = ph_s2_slerp(z[0], z[1], t);
   z[1] = ph_s2_slerp(z[1], z[2], t);
@@ -240,7 +235,9 @@ static void more_points(const struct ph_check_nu_segment *s, struct interval *v,
 static double distance(ph_vec3 a, ph_vec3 b) {
   ph_vec3 d = ph_vec3_sub(a, b);
   double square = ph_vec3_dot(d, d);
-  return square <= 2 ? 2 * asin(sqrt(square) / 2) : ph_s2_angle(a, b);
+  return square < 0x1p-12 ? sqrt(ph_s2_near_square(square))
+         : square <= 2    ? 2 * asin(sqrt(square) / 2)
+                          : ph_s2_angle(a, b);
 }
 
 /* The sum of distances from each point to the next. */

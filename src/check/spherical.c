@@ -6,11 +6,6 @@
 
 #include <string.h>
 
-static double square_of_angle(ph_vec3 p, ph_vec3 q) {
-  double angle = ph_s2_angle(p, q);
-  return angle * angle;
-}
-
 /* A value and two derivatives. */
 struct jet {
   ph_vec3 v[3];
@@ -54,7 +49,7 @@ static struct jet step_jet(const struct jet *a, const struct jet *b, double t,
   for (size_t i = 0; i < 3; i++) {
     d[i] = ph_vec3_sub(a->v[i], b->v[i]);
   }
-  x[0] = square_of_angle(a->v[0], b->v[0]);
+  x[0] = ph_s2_square(a->v[0], b->v[0]);
   ph_s2_bessel(x[0], f);
   *growth /= f[0];
   /* |d|^2 = 2 - 2 cos th, so that its derivative by X is f_0 */
@@ -78,7 +73,7 @@ static struct jet step_jet(const struct jet *a, const struct jet *b, double t,
 
 void ph_check_great_angles(const ph_vec3 p[4], double x[3]) {
   for (size_t i = 0; i < 3; i++) {
-    x[i] = square_of_angle(p[i], p[i + 1]);
+    x[i] = ph_s2_square(p[i], p[i + 1]);
   }
 }
 

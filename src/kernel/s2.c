@@ -13,10 +13,9 @@
 
 #include <stddef.h>
 
-/* Terms of (2) that reach rounding below TINY, below NEAR = 1/16 and below
- * FAR = 4: the first one left out is 1e-17 and less of the sum. */
-enum { TERMS_TINY = 3, TERMS_NEAR = 6, TERMS = 13 };
-static const double TINY = 0x1p-16;
+/* Terms of (2) that reach rounding below NEAR = 1/16 and below FAR = 4: the
+ * first one left out is 1e-17 and less of the sum. */
+enum { TERMS_NEAR = 6, TERMS = 13 };
 static const double NEAR = 0.0625;
 static const double FAR = 4;
 
@@ -60,10 +59,10 @@ static inline double sum(const double *c, size_t terms, double x) {
   return f;
 }
 
-double ph_s2_f0(double x) {
+double ph_s2_f0_far(double x) {
   double theta;
   if (x < NEAR) {
-    return sum(f0_series, x < TINY ? TERMS_TINY : TERMS_NEAR, x);
+    return sum(f0_series, TERMS_NEAR, x);
   }
   theta = sqrt(x);
   return sin(theta) / theta;

@@ -14,8 +14,14 @@
 
 #include "kernel/vec3.h"
 
-/* ph_s2_f0: sin(theta) / theta for X = theta^2, 0 <= X <= pi^2. */
-double ph_s2_f0(double x);
+/* ph_s2_f0_far: ph_s2_f0 of any X. */
+double ph_s2_f0_far(double x);
+
+/* ph_s2_f0: sin(theta) / theta for X = theta^2, 0 <= X <= pi^2; three terms of
+ * its series reach rounding where X is small. */
+static inline double ph_s2_f0(double x) {
+  return x < 0x1p-16 ? 1 - x / 6 * (1 - x / 20) : ph_s2_f0_far(x);
+}
 
 /* ph_s2_bessel: f_0, ..., f_3 of (1) for 0 <= X <= pi^2; out  f[4] */
 void ph_s2_bessel(double x, double f[4]);
@@ -27,17 +33,39 @@ static inline double ph_s2_angle(ph_vec3 p, ph_vec3 q) {
          atan2(ph_vec3_abs(ph_vec3_sub(p, q)), ph_vec3_abs(ph_vec3_add(p, q)));
 }
 
+/* ph_s2_near_square: the square of the angle of a short chord of the square c
+ * < 2^-12: 4 asin(sqrt(c) / 2)^2 by four terms of its series. */
+static inline double ph_s2_near_square(double c) {
+  return c * (1 + c * (1.0 / 12 + c * (1.0 / 90 + c * (1.0 / 560))));
+}
+
+/* ph_s2_square: the square of ph_s2_angle. */
+static inline double ph_s2_square(ph_vec3 p, ph_vec3 q) {
+  ph_vec3 d = ph_vec3_sub(p, q);
+  double c = ph_vec3_dot(d, d), angle;
+  if (c < 0x1p-12) {
+    return ph_s2_near_square(c);
+  }
+  angle = ph_s2_angle(p, q);
+  return angle * angle;
+}
+
 /* ph_s2_weight: sin(tau theta) / sin(theta) for X = theta^2 < pi^2. */
 static inline double ph_s2_weight(double tau, double x) {
   return tau * ph_s2_f0(tau * tau * x) / ph_s2_f0(x);
 }
 
+/* ph_s2_between: ph_s2_slerp where the square x of the angle is known. */
+static inline ph_vec3 ph_s2_between(ph_vec3 p, ph_vec3 q, double x, double t) {
+  double s = 1 - t, w = 1 / ph_s2_f0(x);
+  return ph_vec3_along(ph_vec3_scale(s * ph_s2_f0(s * s * x) * w, p),
+                       t * ph_s2_f0(t * t * x) * w, q);
+}
+
 /* ph_s2_slerp: the point at t on the great circle from p, t = 0, to q, t = 1;
  * not finite, or anything, where they are antipodal. */
 static inline ph_vec3 ph_s2_slerp(ph_vec3 p, ph_vec3 q, double t) {
-  double angle = ph_s2_angle(p, q), x = angle * angle;
-  return ph_vec3_along(ph_vec3_scale(ph_s2_weight(1 - t, x), p),
-                       ph_s2_weight(t, x), q);
+  return ph_s2_between(p, q, ph_s2_square(p, q), t);
 }
 
 /* ph_s2_exp: where the geodesic from p with velocity v is at time 1; v.p = 0.
@@ -51,10 +79,9 @@ static inline ph_vec3 ph_s2_exp(ph_vec3 p, ph_vec3 v) {
  * q = p, undefined for q = -p. */
 static inline ph_vec3 ph_s2_log(ph_vec3 p, ph_vec3 q) {
   ph_vec3 d = ph_vec3_sub(q, p);
-  double angle = ph_s2_angle(p, q);
   /* q - (p.q) p with p.q = 1 - |d|^2 / 2, so that nothing cancels */
   ph_vec3 u = ph_vec3_along(d, ph_vec3_dot(d, d) / 2, p);
-  return ph_vec3_scale(1 / ph_s2_f0(angle * angle), u);
+  return ph_vec3_scale(1 / ph_s2_f0(ph_s2_square(p, q)), u);
 }
 
 #endif
