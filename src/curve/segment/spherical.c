@@ -429,10 +429,15 @@ PH_INLINE void net_jet(const struct ph_spherical_net *net, double t, int order,
   step(net->base, &basis, &a, &b, order, z);
 }
 
-double ph_spherical_net_speed(const struct ph_spherical_net *net, double t) {
+ph_vec3 ph_spherical_net_velocity(const struct ph_spherical_net *net,
+                                  double t) {
   struct jet z;
   net_jet(net, t, 1, &z);
-  return ph_vec3_abs(z.d[1]);
+  return z.d[1];
+}
+
+double ph_spherical_net_speed(const struct ph_spherical_net *net, double t) {
+  return ph_vec3_abs(ph_spherical_net_velocity(net, t));
 }
 
 /* -------------------------------------------------------------------------- */

@@ -11,6 +11,7 @@
 #include "curve/segment/spherical_net.h"
 #include "kernel/quad.h"
 
+#include <float.h>
 #include <stdbool.h>
 
 /* The Gauss rule of gentle segments, symmetric. */
@@ -120,6 +121,72 @@ static double speed_at(const void *context, double t) {
   return ph_spherical_net_speed(context, t);
 }
 
+/*
+ * The velocity of a segment with short legs, as the polynomial
+ * sum_k c[k] T_k(2 t - 1) of degree 8.  In the plane its degree is 2, and every
+ * power of the length h of the legs adds 3: c[3], c[4], c[5] are about h / 10
+ * of the velocity, the next three h^2 / 1000, and what is left out h^3 / 10^4,
+ * of which odd powers are across.
+ */
+enum { COURSE = 9 };
+static const double SHORT = 0x1p-21; /* the greatest E: h = 1.4e-3 */
+
+struct course {
+  ph_vec3 c[COURSE];
+  size_t terms; /* that count */
+};
+
+static void course_of(const struct ph_spherical_net *net,
+                      struct course *course) {
+  static const double place[COURSE] = {/* cos((2 j + 1) pi / 18) */
+                                       0.98480775301220805937,
+                                       0.86602540378443864676,
+                                       0.64278760968653932632,
+                                       0.34202014332566873304,
+                                       0,
+                                       -0.34202014332566873304,
+                                       -0.64278760968653932632,
+                                       -0.86602540378443864676,
+                                       -0.98480775301220805937};
+  const ph_vec3 none = {0, 0, 0};
+  double largest = 0;
+  for (size_t k = 0; k < COURSE; k++) {
+    course->c[k] = none;
+  }
+  for (size_t j = 0; j < COURSE; j++) {
+    double x = place[j], cheb = 1, last = x; /* T_k(x), T_{k-1}(x) */
+    ph_vec3 v = ph_spherical_net_velocity(net, 0.5 + 0.5 * x);
+    for (size_t k = 0; k < COURSE; k++) {
+      double next = 2 * x * cheb - last;
+      course->c[k] = ph_vec3_along(course->c[k], 2.0 / COURSE * cheb, v);
+      last = cheb;
+      cheb = next;
+    }
+  }
+  course->c[0] = ph_vec3_scale(0.5, course->c[0]);
+  for (size_t k = 0; k < 3; k++) {
+    largest = fmax(largest, ph_vec3_abs(course->c[k]));
+  }
+  course->terms = COURSE;
+  while (course->terms > 3 && ph_vec3_abs(course->c[course->terms - 1]) <=
+                                  DBL_EPSILON / 16 * largest) {
+    course->terms--;
+  }
+}
+
+static double speed_by_course(const void *context, double t) {
+  const struct course *course = context;
+  const ph_vec3 *c = course->c;
+  double x = 2 * t - 1;
+  ph_vec3 a = c[course->terms - 1], last = {0, 0, 0};
+  for (size_t k = course->terms - 1; k-- > 1;) {
+    ph_vec3 next = ph_vec3_sub(ph_vec3_along(c[k], 2 * x, a), last);
+    last = a;
+    a = next;
+  }
+  return ph_vec3_abs(ph_vec3_sub(ph_vec3_along(c[0], x, a), last));
+}
+
 enum ph_status ph_spherical_length(const struct ph_spherical *s,
                                    struct ph_primitive *table,
                                    struct ph_arena *arena, double *length) {
@@ -127,6 +194,7 @@ enum ph_status ph_spherical_length(const struct ph_spherical *s,
   struct ph_spherical_net net;
   double speed[NODES], c[NODES], corner[PH_SPHERICAL_CORNERS];
   enum ph_status status;
+  size_t corners;
   ph_spherical_net_of(s, &net);
   for (size_t i = 0; i < NODES; i++) {
     speed[i] = ph_spherical_net_speed(&net, node[i]);
@@ -136,8 +204,16 @@ enum ph_status ph_spherical_length(const struct ph_spherical *s,
   if (is_gentle(&net, c)) {
     return PH_OK;
   }
-  status = ph_primitive_make(table, speed_at, &net, corner,
-                             corners_of(s, &net, corner), precision, arena);
+  corners = corners_of(s, &net, corner);
+  if (net.e < SHORT) {
+    struct course course;
+    course_of(&net, &course);
+    status = ph_primitive_make(table, speed_by_course, &course, corner, corners,
+                               precision, arena);
+  } else {
+    status = ph_primitive_make(table, speed_at, &net, corner, corners,
+                               precision, arena);
+  }
   *length = table->total;
   return status;
 }

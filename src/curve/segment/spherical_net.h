@@ -27,6 +27,9 @@ struct ph_spherical_net {
 void ph_spherical_net_of(const struct ph_spherical *s,
                          struct ph_spherical_net *net);
 
+/* ph_spherical_net_velocity: S'(t) */
+ph_vec3 ph_spherical_net_velocity(const struct ph_spherical_net *net, double t);
+
 /* ph_spherical_net_speed: |S'(t)| */
 double ph_spherical_net_speed(const struct ph_spherical_net *net, double t);
 
