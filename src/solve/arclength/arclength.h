@@ -47,6 +47,7 @@ struct ph_arc_newton {
   double *dy;        /* [y_n] */
   double *x[2];      /* [x_n] candidates */
   double *c;         /* [y_n] rows of a candidate */
+  double *nu;        /* [y_n] weights of |c| in the merit function */
 };
 
 /* ph_arc_newton_alloc: the memory that a system needs; false: there is none. */

@@ -49,7 +49,6 @@ struct state {
   double shift;
   double hint;   /* the last that was not 0 */
   double limit;  /* of residuals and gradients near the end */
-  double nu;     /* weight of |c| in the merit function */
   double y_size; /* largest multiplier */
   bool near;     /* plain Newton steps */
   double noise;  /* rounding of the merit function */
@@ -75,9 +74,10 @@ bool ph_arc_newton_alloc(const struct ph_arc_system *s, struct ph_arena *arena,
   w->y = ph_arena_array(arena, s->y_n, size);
   w->dy = ph_arena_array(arena, s->y_n, size);
   w->c = ph_arena_array(arena, s->y_n, size);
+  w->nu = ph_arena_array(arena, s->y_n, size);
   return ph_arc_linear_alloc(s, arena, &w->linear) && w->kkt && w->pivot &&
          w->penalised && w->step && w->dx && w->dx2 && w->x[0] && w->x[1] &&
-         w->y && w->dy && w->c;
+         w->y && w->dy && w->c && w->nu;
 }
 
 bool ph_arc_point_alloc(const struct ph_arc_system *s, struct ph_arena *arena,
@@ -195,10 +195,10 @@ static double merit(struct state *t, const double *x) {
     if (soft > 0) {
       f += c[r] * c[r] / (2 * soft);
     } else {
-      sum += fabs(c[r]);
+      sum += t->w->nu[r] * fabs(c[r]);
     }
   }
-  return f + t->nu * sum;
+  return f + sum;
 }
 
 /* The derivative of the merit function along the step, at most 0. */
@@ -218,24 +218,40 @@ static double merit_derivative(struct state *t) {
     if (soft > 0) {
       sum += l->c[r] / soft * t->w->c[r];
     } else {
-      hard += fabs(l->c[r]);
+      hard += t->w->nu[r] * fabs(l->c[r]);
     }
   }
-  sum -= t->nu * hard;
+  sum -= hard;
   return sum < 0 ? sum : 0;
 }
 
-/* The multiplier of |c|_1 follows the multipliers of the hard rows. */
-static void weigh_rows(struct state *t) {
+/* The largest multiplier of the hard ones of some rows. */
+static double hard_size(const struct state *t, size_t from, size_t to) {
   double most = 0;
-  for (size_t r = 0; r < t->s->y_n; r++) {
+  for (size_t r = from; r < to; r++) {
     double size = ph_arc_compliance(t->s, r) > 0 ? 0 : fabs(t->w->y[r]);
     most = size > most ? size : most;
   }
-  if (1.1 * most > t->nu) {
-    t->nu = 1.5 * most;
-  } else if (t->nu > 10 * most) {
-    t->nu = 3 * most;
+  return most;
+}
+
+/* The weights of |c|_1 follow the multipliers of the hard rows, those of an
+ * interval or a knot together: a sharp place weighs its own rows only. */
+static void weigh_rows(struct state *t) {
+  const struct ph_arc_system *s = t->s;
+  size_t knots = s->data->n * s->forms_n;
+  for (size_t r = 0, next; r < s->y_n; r = next) {
+    double most, nu = t->w->nu[r];
+    next = r + (r < knots ? s->forms_n : s->knot_rows);
+    most = hard_size(t, r, next);
+    if (1.1 * most > nu) {
+      nu = 1.5 * most;
+    } else if (nu > 10 * most) {
+      nu = 3 * most;
+    }
+    for (size_t k = r; k < next; k++) {
+      t->w->nu[k] = nu;
+    }
   }
 }
 
@@ -321,7 +337,10 @@ static void look(struct state *t) {
   }
   t->near = p->residual < t->limit && p->kkt < t->limit;
   t->shift = t->near ? 0 : t->shift;
-  t->noise = 1e-10 * p->f + 1e-15 * (double)s->y_n * t->nu;
+  t->noise = 1e-10 * p->f;
+  for (size_t r = 0; r < s->y_n; r++) {
+    t->noise += 1e-15 * t->w->nu[r];
+  }
 }
 
 /* The last step is taken if it keeps the rows. */
@@ -397,6 +416,7 @@ bool ph_arc_newton_solve(const struct ph_arc_system *s,
       .s = s, .w = work, .p = p, .limit = NEAR, .before = (double)INFINITY};
   bool go = true;
   p->converged = p->minimiser = false;
+  memset(work->nu, 0, s->y_n * sizeof *work->nu);
   look(&t);
   for (size_t i = 0; i < limit && go && isfinite(p->f); i++) {
     go = iterate(&t) && !ph_arena_late(work->arena);
@@ -417,6 +437,7 @@ bool ph_arc_newton_plain(const struct ph_arc_system *s,
                          struct ph_arc_point *p) {
   struct state t = {.s = s, .w = work, .p = p, .before = (double)INFINITY};
   p->converged = p->minimiser = false;
+  memset(work->nu, 0, s->y_n * sizeof *work->nu);
   for (size_t i = 0; i < limit && !ph_arena_late(work->arena); i++) {
     look(&t);
     t.near = true;
