@@ -444,7 +444,7 @@ cat >wide <<'EOF'
 EOF
 made sphere <wide
 verified 'a sphere, a length between nearly antipodal points' 1 --problems=wide
-sed 's/"length":2.7971938/"length":2.7971939/' r >wrong.json
+jq -c '.segments[3].length += 1e-7' r >wrong.json
 run verify -q --problems=wide wrong.json
 equal 'a sphere, another such length' '"segments[3].length" 1' \
   "$(jq -c .error.field out) $status"
