@@ -3,11 +3,12 @@
  * The certificate of planar Tschirnhausen cubics (see certify.h): those that
  * interpolate points.  Approximations are in tc_approx.c.
  *
- * The cubics are gone through in order: each interval of the data has one or
- * two, and which is seen from where they end.
+ * Each interval of the data has one or two cubics; which is seen from where
+ * they end, in their order.
  */
 #include "check/certify.h"
 
+#include "base/team.h"
 #include "check/note.h"
 #include "check/tc_approx.h"
 #include "check/tc_check.h"
@@ -21,6 +22,9 @@ static const double INTERPOLATION = 1e-13;
 /* The joint on the chord is a product of a direction and a length. */
 static const double ON_CHORD = 1e-12;
 
+/* Intervals of a part of a long chain, which take 1 ms. */
+enum { PART = 1024 };
+
 /* The cubics of one interval of the data. */
 struct interval {
   size_t k;     /* of the data */
@@ -31,6 +35,10 @@ struct interval {
 
 static double apart(ph_cplx a, ph_cplx b) {
   return ph_cplx_abs(ph_cplx_sub(a, b));
+}
+
+static ph_cplx end_of(const struct ph_tc_check *c, size_t k) {
+  return ph_tc_check_scaled(c, c->curve->control_points + 8 * k + 6);
 }
 
 /* How many cubics an interval has whose first one is number `first`: where the
@@ -46,10 +54,8 @@ static size_t count(const struct ph_tc_wanted *w, const struct ph_tc_check *c,
   if (left == to_come + 1 || left == 2 * to_come + 2) {
     return left == to_come + 1 ? 1 : 2;
   }
-  return apart(ph_tc_check_load(c, first).p[3], end) <=
-                 apart(ph_tc_check_load(c, first + 1).p[3], end)
-             ? 1
-             : 2;
+  return apart(end_of(c, first), end) <= apart(end_of(c, first + 1), end) ? 1
+                                                                          : 2;
 }
 
 static void check_points(struct ph_tc_check *c, const struct ph_tc_wanted *w,
@@ -134,27 +140,75 @@ static void check_between(struct ph_tc_check *c, const struct ph_tc_wanted *w,
   }
 }
 
-static void check_intervals(struct ph_tc_check *c,
-                            const struct ph_tc_wanted *w) {
-  struct interval start, before, now = {.k = 0};
-  for (size_t k = 0; k < w->n && !(k > 0 && ph_arena_late(c->arena)); k++) {
-    now.k = k;
-    now.n = count(w, c, k, now.first);
-    for (size_t i = 0; i < now.n; i++) {
-      now.cubic[i] = ph_tc_check_load(c, now.first + i);
+/* Interval k of the data, whose first cubic this is. */
+static struct interval load(const struct ph_tc_check *c,
+                            const struct ph_tc_wanted *w, size_t k,
+                            size_t first) {
+  struct interval in = {.k = k, .first = first, .n = count(w, c, k, first)};
+  for (size_t i = 0; i < in.n; i++) {
+    in.cubic[i] = ph_tc_check_load(c, first + i);
+  }
+  return in;
+}
+
+/* A part of a long chain, and what is found there. */
+struct part {
+  struct ph_tc_check c;
+  size_t first; /* its first cubic */
+};
+
+struct parts {
+  const struct ph_tc_wanted *w;
+  struct part *part;
+};
+
+/* Intervals first to end - 1, and where the last of them ends. */
+static bool check_part(void *context, size_t thread, size_t first, size_t end) {
+  const struct parts *parts = context;
+  const struct ph_tc_wanted *w = parts->w;
+  struct part *part = &parts->part[first / PART];
+  struct ph_tc_check *c = &part->c;
+  struct interval now = load(c, w, first, part->first);
+  (void)thread;
+  for (size_t k = first; k < end && !(k > first && ph_arena_late(c->arena));
+       k++) {
+    struct interval before = now;
+    check_interval(c, w, &before);
+    if (k + 1 < w->n) {
+      now = load(c, w, k + 1, before.first + before.n);
+    } else if (w->closed) {
+      now = load(c, w, 0, 0);
     }
-    check_interval(c, w, &now);
-    if (k > 0) {
+    if (k + 1 < w->n || w->closed) {
       check_between(c, w, &before, &now);
-    } else {
-      start = now;
     }
-    before = now;
-    now.first += now.n;
   }
-  if (w->closed) {
-    check_between(c, w, &before, &start);
+  return true;
+}
+
+/* In parts, by all threads that there are; where a part begins is found first.
+ */
+static enum ph_status check_intervals(struct ph_tc_check *c,
+                                      const struct ph_tc_wanted *w,
+                                      struct ph_arena *scratch,
+                                      struct ph_diag *diag) {
+  const size_t parts_n = (w->n + PART - 1) / PART;
+  struct parts parts = {w,
+                        ph_arena_array(scratch, parts_n, sizeof *parts.part)};
+  size_t first = 0;
+  if (!parts.part) {
+    return ph_fail_memory(diag);
   }
+  for (size_t k = 0; k < w->n; first += count(w, c, k, first), k++) {
+    if (k % PART == 0) {
+      parts.part[k / PART] = (struct part){*c, first};
+    }
+  }
+  ph_team_share(scratch, w->n, 2 * PART, PART, check_part, &parts);
+  for (size_t i = 0; i < parts_n; i++) {
+    ph_tc_check_join(c, &parts.part[i].c);
+  }
+  return PH_OK;
 }
 
 /* Whether there are as many cubics as the mode wants, and their knots are 0, 1,
@@ -239,8 +293,10 @@ enum ph_status ph_check_tc(struct ph_check *v,
   if (status != PH_OK) {
     return status;
   }
-  check_intervals(&c, &wanted);
-  status = ph_tc_check_conclude(&c, wanted.all, diagnostics, diag);
+  status = check_intervals(&c, &wanted, v->scratch, diag);
+  if (status == PH_OK) {
+    status = ph_tc_check_conclude(&c, wanted.all, diagnostics, diag);
+  }
   return status == PH_OK ? check_claims(&c, &wanted, diagnostics, diag)
                          : status;
 }

@@ -197,6 +197,23 @@ void ph_tc_check_derivative(struct ph_tc_check *c, const struct ph_tc_cubic *s,
 
 /* ---- the whole curve ---------------------------------------------------- */
 
+void ph_tc_check_join(struct ph_tc_check *c, const struct ph_tc_check *next) {
+  ph_check_join(&c->point, &next->point);
+  ph_check_join(&c->tangent, &next->tangent);
+  ph_check_join(&c->derivative, &next->derivative);
+  ph_check_join(&c->square, &next->square);
+  ph_check_join(&c->joint, &next->joint);
+  ph_check_join(&c->length, &next->length);
+  ph_sum_join(&c->total, &next->total);
+  c->has_tangent |= next->has_tangent;
+  c->has_derivative |= next->has_derivative;
+  c->allowance += next->allowance;
+  if (c->regular && !next->regular) {
+    c->regular = false;
+    c->irregular = next->irregular;
+  }
+}
+
 enum ph_status ph_tc_check_conclude(struct ph_tc_check *c, bool may_stop,
                                     struct ph_diagnostics *diagnostics,
                                     struct ph_diag *diag) {

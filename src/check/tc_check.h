@@ -109,6 +109,9 @@ void ph_tc_check_tangent(struct ph_tc_check *c, const struct ph_tc_cubic *s,
 void ph_tc_check_derivative(struct ph_tc_check *c, const struct ph_tc_cubic *s,
                             size_t k, size_t end, ph_cplx wanted, double error);
 
+/* ph_tc_check_join: what was found further on, too. */
+void ph_tc_check_join(struct ph_tc_check *c, const struct ph_tc_check *next);
+
 /*
  * ph_tc_check_conclude: what the checks came to, the worst place of the first
  * that fails; and regular.

@@ -142,6 +142,7 @@ done
 walk 4 $((lines * 5)) >walk.csv
 method=tc
 same 'a long walk' 0 walk.csv
+same 'a long walk, a certificate in parts' 0 --mode=spline walk.csv
 method=planar
 same 'offsets of a long walk, as a table' 0 -q -f csv --table=offsets -d 0.01 \
   walk.csv
