@@ -128,7 +128,9 @@ static void quasi_newton(struct search *s) {
       add(s, alpha[i] - dot(s, p->y, s->step) / sy, p->s);
     }
   }
-  size = size > 0 ? s->stretch : s->stretch * FIRST / largest(s, s->step);
+  size = size > 0 || s->box->to_scale
+             ? s->stretch
+             : s->stretch * FIRST / largest(s, s->step);
   for (size_t i = 0; i < s->box->n; i++) {
     s->step[i] = s->fixed[i] ? 0 : size * s->step[i];
   }

@@ -33,6 +33,7 @@ struct ph_box {
    * best x times v, symmetric and positive definite, and 0 in the variables
    * that are fixed; NULL where all variables are alike. */
   void (*condition)(void *context, const bool *fixed, double *v);
+  bool to_scale; /* the estimate has the scale of the function, too */
 };
 
 struct ph_box_report {

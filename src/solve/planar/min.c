@@ -20,12 +20,16 @@
  * matrix, which conditions the search.  Angles of ATPH bend their segments as
  * well by themselves, part k / 2 x[k]^2.  Without it the steps that a search
  * takes are about as many as there are intervals.
+ *
+ * The last search knows more: every few steps second derivatives by differences
+ * (kernel/box_hessian.h), of a sum of E or MV and L with the weights that they
+ * have there, as their product couples all variables.
  */
 #include "solve/planar/planar.h"
 
 #include "curve/fair/energy.h"
 #include "curve/segment/seg2.h"
-#include "kernel/box.h"
+#include "kernel/box_hessian.h"
 #include "kernel/pow2.h"
 
 #include <math.h>
@@ -50,6 +54,10 @@ static const double STRAIGHT = 1e-16;
 /* Starts, steps from each of them; of large data no more than WORK_MAX / n. */
 enum { STARTS = 6, STEPS_FIRST = 48, WORK_MAX = 200000 };
 
+/* Of the last search: how far second derivatives are from the diagonal, and how
+ * many steps are taken with the same. */
+enum { NEAR = 8, ROUND = 20 };
+
 struct candidate {
   double *spacing;  /* [n] */
   ph_cplx *b;       /* [unknowns] */
@@ -73,7 +81,11 @@ struct work {
   struct ph_planar_gradient gradient;
   ph_cplx *guess;
   double *pivot, *beside; /* [n] of the matrix (1) */
+  struct ph_box_hessian hessian;
   struct candidate now, trial, best;
+  const struct candidate *last; /* what the last value was of */
+  double weight[3];             /* of E, MV, L where `weighted` */
+  bool weighted;
   bool warm; /* `now` holds a solution */
   size_t evaluations;
 };
@@ -225,6 +237,7 @@ static enum ph_status value(void *context, const double *x, double *result) {
     return PH_OK;
   }
   status = solve_trial(w);
+  w->last = t;
   *result = log(t->value + STRAIGHT);
   return status;
 }
@@ -234,19 +247,27 @@ static void accept(void *context) {
   struct candidate keep = w->now;
   w->now = w->trial;
   w->trial = keep;
+  w->last = &w->now;
   w->warm = true;
+}
+
+/* The weights of the logarithm's derivatives. */
+static void weigh(struct work *w, const struct candidate *at) {
+  weights_of(w->functional, at->energy, w->weight);
+  for (size_t i = 0; i < 3; i++) {
+    w->weight[i] /= at->value + STRAIGHT;
+  }
 }
 
 static void gradient(void *context, double *result) {
   struct work *w = context;
   const struct ph_planar_data *d = w->data;
   struct ph_planar_gradient *g = &w->gradient;
-  double weight[3], sum = 0;
-  weights_of(w->functional, w->now.energy, weight);
-  for (size_t i = 0; i < 3; i++) {
-    weight[i] /= w->now.value + STRAIGHT;
+  double sum = 0;
+  if (!w->weighted) {
+    weigh(w, w->last);
   }
-  ph_planar_gradient_of(g, d, w->now.b, weight, w->parts);
+  ph_planar_gradient_of(g, d, w->last->b, w->weight, w->parts);
   result[0] = 0;
   for (size_t k = 0; k < d->n; k++) {
     double by_h = d->atph && d->own_knots ? 0 : g->by_h[k];
@@ -309,6 +330,9 @@ static enum ph_status allocate(struct work *w) {
   if (!w->guess || !w->parts || !w->pivot || !w->beside ||
       !candidate_alloc(&w->now, w) || !candidate_alloc(&w->trial, w) ||
       !candidate_alloc(&w->best, w) || !ph_energy_begin(&w->sum)) {
+    return ph_fail_memory(w->diag);
+  }
+  if (ph_box_hessian_alloc(&w->hessian, w->scratch, w->data->n, NEAR)) {
     return ph_fail_memory(w->diag);
   }
   return ph_planar_gradient_alloc(&w->gradient, w->data, w->scratch, w->diag);
@@ -392,53 +416,86 @@ static bool touches(const struct work *w, const struct room *r,
   return false;
 }
 
+static struct ph_box box_of(struct work *w, const struct room *r,
+                            size_t steps_max, double decrease) {
+  return (struct ph_box){.n = w->variables,
+                         .lower = r->lower,
+                         .upper = r->upper,
+                         .decrease = decrease,
+                         .steps_max = steps_max,
+                         .context = w,
+                         .value = value,
+                         .gradient = gradient,
+                         .accept = accept,
+                         .condition = w->scale ? NULL : condition};
+}
+
 /* One search from the variables in r->x; keeps what is better than the best. */
-static enum ph_status descend(struct work *w, struct room *r, size_t steps_max,
-                              double decrease, double better, bool *converged) {
-  struct ph_box box = {.n = w->variables,
-                       .lower = r->lower,
-                       .upper = r->upper,
-                       .decrease = decrease,
-                       .steps_max = steps_max,
-                       .context = w,
-                       .value = value,
-                       .gradient = gradient,
-                       .accept = accept,
-                       .condition = w->scale ? NULL : condition};
-  struct ph_box_report found;
-  enum ph_status status = ph_box_minimize(&box, w->scratch, r->x, &found);
-  if (status != PH_OK) {
-    return status == PH_E_NO_MEMORY ? ph_fail_memory(w->diag) : status;
-  }
-  if (w->warm && !(w->now.value >= w->best.value * (1 - better))) {
+static enum ph_status descend(struct work *w, struct room *r,
+                              const struct ph_box *box, double better,
+                              struct ph_box_report *found) {
+  enum ph_status status = ph_box_minimize(box, w->scratch, r->x, found);
+  if (status == PH_OK && w->warm &&
+      !(w->now.value >= w->best.value * (1 - better))) {
     copy(&w->best, &w->now, w);
     memcpy(r->best, r->x, w->variables * sizeof *r->best);
   }
-  *converged = found.converged || found.gain <= DONE;
-  return PH_OK;
+  return status;
 }
 
-/* From every start to some digits, from the best of them to all digits. */
+static void condition_by_differences(void *context, const bool *fixed,
+                                     double *v) {
+  struct work *w = context;
+  ph_box_hessian_solve(&w->hessian, fixed, v);
+}
+
+/* The last search, from the best of all starts, to all digits. */
+static enum ph_status finish(struct work *w, struct room *r, size_t steps_max,
+                             struct ph_box_report *found) {
+  enum ph_status status = PH_OK;
+  *found = (struct ph_box_report){0};
+  for (size_t i = 0; status == PH_OK && !found->converged && i < steps_max;
+       i += ROUND) {
+    size_t left = steps_max - i;
+    struct ph_box box = box_of(w, r, left < ROUND ? left : ROUND, GAIN);
+    if (!w->scale) {
+      weigh(w, &w->now);
+      w->weighted = true;
+      status = ph_box_hessian_find(&w->hessian, &box, r->x);
+      w->weighted = false;
+      box.to_scale = w->hessian.found;
+      box.condition = box.to_scale ? condition_by_differences : condition;
+    }
+    status = status == PH_OK ? descend(w, r, &box, 0, found) : status;
+  }
+  return status;
+}
+
+/* From every start to some digits, from the best of them to all. */
 static enum ph_status search(struct work *w, struct room *r,
                              struct ph_planar_min *report, bool *converged) {
   size_t work = 1 + WORK_MAX / w->data->n;
   size_t first = work < STEPS_FIRST ? work : STEPS_FIRST;
+  struct ph_box box;
+  struct ph_box_report found = {0};
   enum ph_status status = PH_OK;
   report->steps_max = work < report->steps_max ? work : report->steps_max;
   first = first < report->steps_max ? first : report->steps_max;
+  box = box_of(w, r, first, COARSE);
   for (size_t i = 0; status == PH_OK && i < STARTS; i++) {
     w->warm = false;
     enter(w, r, i);
-    status = descend(w, r, first, COARSE, BETTER, converged);
+    status = descend(w, r, &box, BETTER, &found);
   }
   if (status == PH_OK && !isnan(w->best.value)) {
     memcpy(r->x, r->best, w->variables * sizeof *r->x);
     copy(&w->now, &w->best, w);
     w->warm = true;
-    status = descend(w, r, report->steps_max, GAIN, 0, converged);
+    status = finish(w, r, report->steps_max, &found);
     report->at_bound = touches(w, r, r->best);
   }
-  return status;
+  *converged = found.converged || found.gain <= DONE;
+  return status == PH_E_NO_MEMORY ? ph_fail_memory(w->diag) : status;
 }
 
 static enum ph_status conclude(struct work *w, ph_cplx *b, bool converged,

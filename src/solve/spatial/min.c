@@ -141,16 +141,15 @@ static enum ph_status descend(struct search *s, double decrease, size_t steps,
   const double upper[] = {start->plane ? start->at.b : none,
                           start->plane ? start->at.phi : none,
                           s->wanted->alpha_upper};
-  struct ph_box box = {PH_SPATIAL_VARIABLES,
-                       lower,
-                       upper,
-                       decrease,
-                       steps,
-                       s,
-                       descent_value,
-                       descent_gradient,
-                       descent_accept,
-                       NULL};
+  struct ph_box box = {.n = PH_SPATIAL_VARIABLES,
+                       .lower = lower,
+                       .upper = upper,
+                       .decrease = decrease,
+                       .steps_max = steps,
+                       .context = s,
+                       .value = descent_value,
+                       .gradient = descent_gradient,
+                       .accept = descent_accept};
   double x[] = {start->at.b, start->at.phi, start->at.alpha};
   struct ph_box_report report;
   enum ph_status status = ph_box_minimize(&box, s->scratch, x, &report);
