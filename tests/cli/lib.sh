@@ -19,13 +19,19 @@ fail() {
   printf 'not ok %s: %s\n' "$1" "$2"
 }
 
+# shown NAME TEXT: its lines, none of which begins as those do that are counted.
+shown() {
+  printf '%s\n' "$2" | sed "s/^/  $1: /" | cut -c 1-1000 | sed -n '1,20p'
+}
+
 # equal NAME WANTED FOUND: two texts.
 equal() {
   if [ "$2" = "$3" ]; then
     pass "$1"
   else
     fail "$1" 'not what was wanted'
-    printf '  wanted: %s\n  found:  %s\n' "$2" "$3" | cut -c 1-2000
+    shown wanted "$2"
+    shown found "$3"
   fi
 }
 
@@ -127,11 +133,11 @@ expect() {
     pass "$1"
   else
     fail "$1" "$why"
-    printf '  wanted: %s\n' "${3-}"
-    sed 's/^/  stderr: /' err | sed -n '1,6p'
+    shown wanted "${3-}"
+    shown stderr "$(cat err)"
     if [ $# -gt 3 ]; then
-      printf '  wanted: %s\n' "$4"
-      sed 's/^/  stdout: /' out | cut -c 1-1000 | sed -n '1,6p'
+      shown wanted "$4"
+      shown stdout "$(cat out)"
     fi
   fi
 }
