@@ -93,12 +93,15 @@ void ph_message_failure(struct ph_buf *buf, const struct ph_diag *diag,
 }
 
 void ph_message_empty(struct ph_buf *buf, const char *record,
-                      const char *const *files, size_t n, bool set) {
+                      const struct ph_empty *empty, bool set) {
   ph_message_printf(buf, "phspline: there is no %s in ", record);
-  for (size_t i = 0; i < n; i++) {
-    const bool standard = strcmp(files[i], "-") == 0;
-    ph_message_printf(buf, "%s%s", i > 0 ? ", " : "",
-                      standard ? "standard input" : files[i]);
+  for (size_t i = 0; i < empty->n && i < PH_EMPTY_NAMES; i++) {
+    const bool standard = strcmp(empty->names[i], "-") == 0;
+    ph_buf_puts(buf, i > 0 ? ", " : "");
+    put_text(buf, standard ? "standard input" : empty->names[i]);
+  }
+  if (empty->n > PH_EMPTY_NAMES) {
+    ph_message_printf(buf, " and %zu more", empty->n - PH_EMPTY_NAMES);
   }
   ph_buf_puts(buf, set ? " ({} is one whose fields are those of the options)\n"
                        : "\n");

@@ -11,6 +11,7 @@
 
 #include "base/buf.h"
 #include "base/diag.h"
+#include "io/split.h"
 
 /* Whom a message is about; NULL and 0 are unknown. */
 struct ph_subject {
@@ -34,10 +35,10 @@ void ph_message_warning(struct ph_buf *buf, const struct ph_subject *subject,
 void ph_message_failure(struct ph_buf *buf, const struct ph_diag *diag,
                         const char *command);
 
-/* ph_message_empty: appends that there is no such record in n files; `set`:
+/* ph_message_empty: appends that there is no such record in these files; `set`:
  * though options set its fields. */
 void ph_message_empty(struct ph_buf *buf, const char *record,
-                      const char *const *files, size_t n, bool set);
+                      const struct ph_empty *empty, bool set);
 
 /* ph_message_subject: the beginning of a line, up to the record. */
 void ph_message_subject(struct ph_buf *buf, const struct ph_subject *subject);

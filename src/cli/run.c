@@ -511,14 +511,13 @@ static void conclude(struct run *r) {
   }
 }
 
-/* An input without any record is told. */
+/* Files without any record are told. */
 static void tell_empty(struct run *r) {
   const struct ph_options *o = r->options;
-  if (o->input.part.how == PH_PART_ALL && r->progress.read == 0 &&
-      r->class == PH_CLASS_OK && !o->quiet) {
+  if (o->input.part.how == PH_PART_ALL && r->split.empty.n > 0 && !o->quiet) {
     ph_message_empty(&r->message,
                      o->command->use == PH_USE_VERIFY ? "result" : "problem",
-                     o->files, o->files_n, o->assignments_n > 0);
+                     &r->split.empty, o->assignments_n > 0);
   }
 }
 

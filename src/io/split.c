@@ -248,6 +248,7 @@ static enum ph_split_state open_next(struct ph_split *split,
   }
   name = split->files[split->next_file++];
   split->name = name;
+  split->before = split->number;
   if (!make_room(split)) {
     return fail_memory(split, diag);
   }
@@ -290,6 +291,13 @@ static enum ph_split_state open_next(struct ph_split *split,
       (struct ph_split_geojson){.told = split->format != PH_SPLIT_JSON ||
                                         split->options.format == PH_SPLIT_JSON};
   return PH_SPLIT_RECORD;
+}
+
+static void note_empty(struct ph_split *split) {
+  if (split->empty.n < PH_EMPTY_NAMES) {
+    split->empty.names[split->empty.n] = split->name;
+  }
+  split->empty.n++;
 }
 
 /* Skips a byte-order mark, which can be told from other text only when three
@@ -462,6 +470,9 @@ enum ph_split_state ph_split_next(struct ph_split *split, bool may_wait,
     }
     if (state != PH_SPLIT_END) {
       return state;
+    }
+    if (split->fd >= 0 && split->number == split->before) {
+      note_empty(split);
     }
     close_file(split);
   }

@@ -153,6 +153,13 @@ struct ph_split_cut {
   size_t begin, end; /* of the range, in it */
 };
 
+/* The files without any record: the names of the first ones. */
+#define PH_EMPTY_NAMES 10
+struct ph_empty {
+  const char *names[PH_EMPTY_NAMES];
+  size_t n; /* of all */
+};
+
 /*
  * A splitter.  Its bytes are a window [start, fill) of a buffer: what was read
  * and not handed out yet.  Everything in it is private to io/split*.c.
@@ -183,6 +190,8 @@ struct ph_split {
   size_t done;                 /* bytes of the window that were handed out */
   /* the stream */
   size_t number; /* of the last record */
+  size_t before; /* the same, when the file was opened */
+  struct ph_empty empty;
   size_t passed; /* bytes of all files that are behind the window */
   bool stopped;
   bool ended;

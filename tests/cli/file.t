@@ -46,8 +46,18 @@ feed ' ' planar
 expect 'empty standard input' 0 'phspline: there is no problem in standard input' ''
 feed '' planar -q
 expect 'quietly' 0 '' ''
-run planar empty a.csv
-expect 'not if there is one' 0 ''
+run planar a.csv empty
+expect 'one among others' 0 'phspline: there is no problem in empty'
+run planar --shard=0/1 a.csv empty
+expect 'not of a part' 0 ''
+run planar a.csv empty - <empty
+expect 'two of three' 0 'phspline: there is no problem in empty, standard input'
+for i in 1 2 3 4 5 6 7 8 9 a b c; do
+  : >"empty$i"
+done
+run planar empty?
+expect 'the first of many' 0 'phspline: there is no problem in empty1, empty2, empty3, '\
+'empty4, empty5, empty6, empty7, empty8, empty9, emptya and 2 more' ''
 run verify empty
 expect 'verify' 0 'phspline: there is no result in empty' ''
 

@@ -111,7 +111,7 @@ printf 'id,x,y\n4,0,0\n4,1,4\n5,0,0\n5,1,5\n' >3.csv
 printf 'id\tx\ty\n6\t0\t0\n6\t1\t6\n' >4.tsv
 : >empty.json
 run planar 1.json 2.jsonl 3.csv empty.json 4.tsv 1.json
-expect 'several files are one stream' 0
+expect 'several files are one stream' 0 'phspline: there is no problem in empty.json'
 equal 'in the order given' '1 2 3 4 5 6 1' "$(get id)"
 printf '{"points":[]}\n' >5.jsonl
 run planar 2.jsonl 5.jsonl 1.json 5.jsonl
