@@ -30,7 +30,7 @@ static void word_cell(const struct ph_csv_row *row, const char *text,
 
 void ph_csv_text_cell(const struct ph_csv_row *row, const char *text,
                       size_t n) {
-  bool quoted = false;
+  bool quoted = n > 0 && text[0] == '#'; /* else a comment, in the first cell */
   if (row->shape->text) {
     word_cell(row, text, n);
     return;

@@ -386,3 +386,13 @@ feed 'y	x
 ' planar -i csv --delimiter='\t' -
 equal 'standard input, with tabs' '0 [3,4]' \
   "$status $(get 'segments[0].control_points[5]')"
+
+# ---- an id that reads as a comment ----------------------------------------------
+
+feed '{"id":"#x","points":[[0,0],[1,1],[3,0]]}' planar --table=samples --sample=2
+expect 'a first cell with # is quoted' 0 ''
+equal 'quoted' '"#x",' "$(sed -n '2s/,.*/,/p' out)"
+sed 1d out | awk -F, -v OFS=, 'BEGIN { print "id,x,y" } { print $1, NR, NR % 2 }' >hash.csv
+run planar --table=lengths hash.csv
+expect 'and read again' 0 ''
+equal 'with its id' '"#x"' "$(sed -n '2s/,.*//p' out)"
