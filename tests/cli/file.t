@@ -50,7 +50,7 @@ run planar a.csv empty
 expect 'one among others' 0 'phspline: there is no problem in empty'
 run planar --shard=0/1 a.csv empty
 expect 'not of a part' 0 ''
-run planar a.csv empty - <empty
+run planar a.csv empty - </dev/null
 expect 'two of three' 0 'phspline: there is no problem in empty, standard input'
 for i in 1 2 3 4 5 6 7 8 9 a b c; do
   : >"empty$i"
