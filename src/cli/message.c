@@ -4,6 +4,7 @@
 
 #include "base/suggest.h"
 #include "cli/output.h"
+#include "io/split.h"
 
 #include <stdarg.h>
 #include <stdint.h>
@@ -93,15 +94,15 @@ void ph_message_failure(struct ph_buf *buf, const struct ph_diag *diag,
 }
 
 void ph_message_empty(struct ph_buf *buf, const char *record,
-                      const struct ph_empty *empty, bool set) {
+                      const struct ph_split_empty *empty, bool set) {
   ph_message_printf(buf, "phspline: there is no %s in ", record);
-  for (size_t i = 0; i < empty->n && i < PH_EMPTY_NAMES; i++) {
+  for (size_t i = 0; i < empty->n && i < PH_SPLIT_EMPTY_NAMES; i++) {
     const bool standard = strcmp(empty->names[i], "-") == 0;
     ph_buf_puts(buf, i > 0 ? ", " : "");
     put_text(buf, standard ? "standard input" : empty->names[i]);
   }
-  if (empty->n > PH_EMPTY_NAMES) {
-    ph_message_printf(buf, " and %zu more", empty->n - PH_EMPTY_NAMES);
+  if (empty->n > PH_SPLIT_EMPTY_NAMES) {
+    ph_message_printf(buf, " and %zu more", empty->n - PH_SPLIT_EMPTY_NAMES);
   }
   ph_buf_puts(buf, set ? " ({} is one whose fields are those of the options)\n"
                        : "\n");

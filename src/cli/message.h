@@ -11,7 +11,8 @@
 
 #include "base/buf.h"
 #include "base/diag.h"
-#include "io/split.h"
+
+struct ph_split_empty;
 
 /* Whom a message is about; NULL and 0 are unknown. */
 struct ph_subject {
@@ -38,7 +39,7 @@ void ph_message_failure(struct ph_buf *buf, const struct ph_diag *diag,
 /* ph_message_empty: appends that there is no such record in these files; `set`:
  * though options set its fields. */
 void ph_message_empty(struct ph_buf *buf, const char *record,
-                      const struct ph_empty *empty, bool set);
+                      const struct ph_split_empty *empty, bool set);
 
 /* ph_message_subject: the beginning of a line, up to the record. */
 void ph_message_subject(struct ph_buf *buf, const struct ph_subject *subject);

@@ -28,9 +28,15 @@ static void word_cell(const struct ph_csv_row *row, const char *text,
   ph_buf_put(row->buf, "-", n == 0);
 }
 
+static bool is_blank(char c) {
+  return c == ' ' || c == '\t';
+}
+
 void ph_csv_text_cell(const struct ph_csv_row *row, const char *text,
                       size_t n) {
-  bool quoted = n > 0 && text[0] == '#'; /* else a comment, in the first cell */
+  /* a # begins a comment in the first cell, blanks at both ends are dropped */
+  bool quoted =
+      n > 0 && (text[0] == '#' || is_blank(text[0]) || is_blank(text[n - 1]));
   if (row->shape->text) {
     word_cell(row, text, n);
     return;

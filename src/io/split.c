@@ -294,7 +294,7 @@ static enum ph_split_state open_next(struct ph_split *split,
 }
 
 static void note_empty(struct ph_split *split) {
-  if (split->empty.n < PH_EMPTY_NAMES) {
+  if (split->empty.n < PH_SPLIT_EMPTY_NAMES) {
     split->empty.names[split->empty.n] = split->name;
   }
   split->empty.n++;

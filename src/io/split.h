@@ -154,9 +154,9 @@ struct ph_split_cut {
 };
 
 /* The files without any record: the names of the first ones. */
-#define PH_EMPTY_NAMES 10
-struct ph_empty {
-  const char *names[PH_EMPTY_NAMES];
+#define PH_SPLIT_EMPTY_NAMES 10
+struct ph_split_empty {
+  const char *names[PH_SPLIT_EMPTY_NAMES];
   size_t n; /* of all */
 };
 
@@ -191,7 +191,7 @@ struct ph_split {
   /* the stream */
   size_t number; /* of the last record */
   size_t before; /* the same, when the file was opened */
-  struct ph_empty empty;
+  struct ph_split_empty empty;
   size_t passed; /* bytes of all files that are behind the window */
   bool stopped;
   bool ended;

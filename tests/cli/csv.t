@@ -387,12 +387,15 @@ feed 'y	x
 equal 'standard input, with tabs' '0 [3,4]' \
   "$status $(get 'segments[0].control_points[5]')"
 
-# ---- an id that reads as a comment ----------------------------------------------
+# ---- ids that would read as something else ---------------------------------------
 
-feed '{"id":"#x","points":[[0,0],[1,1],[3,0]]}' planar --table=samples --sample=2
-expect 'a first cell with # is quoted' 0 ''
-equal 'quoted' '"#x",' "$(sed -n '2s/,.*/,/p' out)"
-sed 1d out | awk -F, -v OFS=, 'BEGIN { print "id,x,y" } { print $1, NR, NR % 2 }' >hash.csv
-run planar --table=lengths hash.csv
-expect 'and read again' 0 ''
-equal 'with its id' '"#x"' "$(sed -n '2s/,.*//p' out)"
+for id in '#x' ' x' 'x '; do
+  feed "{\"id\":\"$id\",\"points\":[[0,0],[1,1],[3,0]]}" planar --table=samples \
+    --sample=2
+  expect "id '$id': written" 0 ''
+  equal "id '$id': quoted" "\"$id\"," "$(sed -n '2s/,.*/,/p' out)"
+  sed 1d out | awk -F, -v OFS=, 'BEGIN { print "id,x,y" } { print $1, NR, NR % 2 }' >id.csv
+  run planar --table=lengths id.csv
+  expect "id '$id': read again" 0 ''
+  equal "id '$id': the same" "\"$id\"" "$(sed -n '2s/,.*//p' out)"
+done

@@ -106,6 +106,7 @@ PH_TEST(test_angle) {
     ph_vec3 p = {1, 0, 0}, q = {cos(angle), 0, sin(angle)};
     ck_rel(ph_s2_angle(p, q), angle, 4 * DBL_EPSILON);
     ck_rel(ph_s2_angle(q, p), angle, 4 * DBL_EPSILON);
+    ck_rel(ph_s2_square(p, q), angle * angle, 8 * DBL_EPSILON);
   }
   ck_abs(ph_s2_angle(ph_vec3_of(0, 1, 0), ph_vec3_of(0, 1, 0)), 0, 0);
   ck_rel(ph_s2_angle(ph_vec3_of(0, 1, 0), ph_vec3_of(0, -1, 0)), PH_PI, 0);
