@@ -300,7 +300,8 @@ equal 'a - is standard input' 'absent "in" absent' "$(get id)"
 feed "$standard" planar
 equal 'no file is standard input' '"in"' "$(get id)"
 feed "$standard" planar - -
-expect 'standard input is empty the second time' 0
+expect 'standard input is empty the second time' 0 \
+  'phspline: there is no problem in standard input'
 equal 'standard input is read once' '"in"' "$(get id)"
 feed "$standard" planar -- -
 equal 'a - after --' '"in"' "$(get id)"

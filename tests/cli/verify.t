@@ -646,7 +646,8 @@ run verify --problems=missing r
 equal 'no file of problems' 3 "$status"
 equal 'it says so' 'phspline: cannot open missing: ' "$(cut -c 1-31 err)"
 feed '' verify --problems=p
-expect 'no results' 1 'phspline: p was not read: no result says what it solves' ''
+expect 'no results' 1 'phspline: p was not read: no result says what it solves
+phspline: there is no result in standard input' ''
 printf '{"id":1,"command":"tc","status":"error"}' >r
 cat r r >r2
 run verify -q --problems=p.csv r2
