@@ -33,7 +33,9 @@
 
 #include <float.h>
 
-enum { TC_POINTS_MAX = 16 };
+/* Points; fewer where all curves are asked for, up to 4 an interval: each is
+ * solved, certified and printed. */
+enum { TC_POINTS_MAX = 16, TC_ALL_POINTS_MAX = 4 };
 
 enum tc_mode {
   TC_DEFAULT,
@@ -50,6 +52,11 @@ enum tc_mode {
 static const char *const tc_modes[] = {NULL,      "g1",          "g1-pair",
                                        "g1-auto", "g1-fair",     "c1",
                                        "spline",  "approximate", "g2"};
+
+enum { TC_ALL = 3 };
+
+static const char *const tc_solutions[] = {NULL, "best", "standard", "all"};
+
 struct tc_flags {
   bool tangents, derivatives, closed, pretty, offset, blaschke, chord;
   bool curve, chain, pieces;
@@ -175,10 +182,9 @@ static void tc_set_data(struct tc_input *in) {
 }
 
 static void tc_set_choices(struct tc_input *in) {
-  static const char *const solutions[] = {NULL, "best", "standard", "all"};
   const struct tc_flags *f = &in->flags;
   fuzz_set_word(&in->problem, PH_F_MODE, tc_modes[f->mode]);
-  fuzz_set_word(&in->problem, PH_F_SOLUTIONS, solutions[f->solutions]);
+  fuzz_set_word(&in->problem, PH_F_SOLUTIONS, tc_solutions[f->solutions]);
   fuzz_set_word(&in->problem, PH_F_JOINT, f->chord ? "chord" : NULL);
   fuzz_set_number(&in->problem, PH_F_LAMBDA, in->lambda);
   fuzz_set_number(&in->problem, PH_F_JOINT_ANGLE, in->joint_angle);
@@ -189,10 +195,12 @@ static void tc_set_choices(struct tc_input *in) {
 
 /* Sets the problem; false when the bytes are none. */
 static bool tc_set(struct tc_input *in) {
+  size_t most;
   if (!tc_take_flags(in)) {
     return false;
   }
-  while (in->points < TC_POINTS_MAX && tc_take_point(in, in->points)) {
+  most = in->flags.solutions == TC_ALL ? TC_ALL_POINTS_MAX : TC_POINTS_MAX;
+  while (in->points < most && tc_take_point(in, in->points)) {
     in->points++;
   }
   if (in->points == 0 || !fuzz_is_finite(in->point, 2 * TC_POINTS_MAX) ||
