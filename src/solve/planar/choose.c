@@ -313,9 +313,13 @@ static enum ph_status consider(struct work *w, bool limited, double *ies) {
   struct ph_planar_choice *choice = w->choice;
   bool before, worse = false;
   enum ph_status status = PH_OK;
+  *ies = w->best.ies;
+  if (is_best(w)) {
+    return PH_OK;
+  }
   measure(w, ALIKE * w->best.ies);
   *ies = w->trial.ies;
-  if (!(*ies <= ALIKE * w->best.ies) || is_best(w)) {
+  if (!(*ies <= ALIKE * w->best.ies)) {
     return PH_OK;
   }
   before = *ies < w->best.ies;
