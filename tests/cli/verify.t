@@ -432,6 +432,20 @@ EOF
 made sphere --offset=-1.1734098997738285 --chord-error=0.031 <wide
 verified 'a sphere, nearly antipodal control points' 1 --problems=wide
 
+# what all but stands still where it turns back, has one side there and one
+# direction, as far as both are known
+cat >wide <<'EOF'
+{"points":[[1.083,0,0],[0.8516,0.64,0],[0.624,0.84,2e-15]],"closed":true,
+"tension":[75.741,0.03,0.2],"center":[0.08309,0,0]}
+EOF
+made sphere --offset=-0.5 --chord-error=0.009 <wide
+verified 'a sphere, a parallel where the curve turns back' 1 --problems=wide
+jq -c '(.offsets[0].samples[]|select(.segment==2 and .t>0.0383573896835 and
+  .t<0.0383573896836)|.point[2]) *= -1' r >wrong.json
+run verify -q --problems=wide wrong.json
+equal 'a sphere, the other side of it' '"sample_error" 1' \
+  "$(jq -c .worst.check out) $status"
+
 # lengths of an offset are rounded as its points are, that are far away
 echo '{"points":[[0,0,0],[0,3e-102,1e-102]],"angles":[[-1.1,-1.9]]}' >tiny
 made spatial-hermite --offset=2 --chord-error=0.06 <tiny

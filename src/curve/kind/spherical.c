@@ -32,6 +32,10 @@
 /* What is less than this of its terms is their rounding. */
 static const double ROUNDING = 64 * DBL_EPSILON;
 
+/* The same of S' alone, at rest, where |S''| + |S'''| bounds the legs that it
+ * is a sum of: its direction is known before K is. */
+static const double REST = 2 * DBL_EPSILON;
+
 /*
  * How a point moves on the unit sphere, also where it is at rest: with S' = t V
  * next to rest at t = 0, K = S . (S' x S'') = t^2 K'' / 2, so that K / |S'|^2 =
@@ -45,10 +49,22 @@ struct motion {
   double noise;    /* error of turn: some eps times this */
 };
 
+/* Along which the curve goes at or next to rest: S', S'' or S''', the first of
+ * them that is known.  Before rest S' is -S''. */
+static ph_vec3 direction_slow(const ph_vec3 jet[4], double u) {
+  double second = ph_vec3_abs(jet[2]), third = ph_vec3_abs(jet[3]);
+  bool back = u > 0 && (u >= 1 || ph_vec3_dot(jet[1], jet[2]) < 0);
+  if (ph_vec3_abs(jet[1]) > REST * (second + third)) {
+    return jet[1];
+  }
+  return !(second > ROUNDING * third) ? jet[3]
+                                      : ph_vec3_scale(back ? -1 : 1, jet[2]);
+}
+
 /* The motion at or next to rest, where S'' and S''' say what S' does not. */
 static struct motion motion_slow(const struct ph_spherical *segment, double u) {
   struct motion motion = {.speed = 0};
-  ph_vec3 jet[4], along;
+  ph_vec3 jet[4];
   double first, second, third;
   ph_spherical_jet(segment, u, jet);
   jet[1] = ph_vec3_normal(jet[1], jet[0]);
@@ -60,16 +76,13 @@ static struct motion motion_slow(const struct ph_spherical *segment, double u) {
     motion.speed = first;
     motion.turn = ph_vec3_triple(jet[0], jet[1], jet[2]) / (first * first);
     motion.noise = second / first;
-    along = jet[1];
   } else {
-    bool back = second > ROUNDING * third; /* before the end, S' is -S'' */
     double k = ph_vec3_triple(jet[0], jet[2], jet[3]);
     motion.turn =
         fabs(k) > ROUNDING * second * third ? 0.5 * k / (second * second) : 0;
-    along = !back ? jet[3] : ph_vec3_scale(u < 1 ? 1 : -1, jet[2]);
   }
   /* S'' and S''' need not be normal to S. */
-  motion.tangent = ph_vec3_unit(ph_vec3_normal(along, jet[0]));
+  motion.tangent = ph_vec3_unit(ph_vec3_normal(direction_slow(jet, u), jet[0]));
   return motion;
 }
 
