@@ -91,9 +91,10 @@ static struct ph_check_local local_of(const struct context *c, double u,
   struct ph_check_local at = ph_check_local_at(&c->path, u);
   if (isnan(at.point.x)) {
     ph_vec3 on = ph_check_point(c->v, &c->segment, u);
-    ph_vec3 away = ph_vec3_sub(found, on);
-    at.point = ph_vec3_along(
-        on, fabs(c->path.distance) / ph_check_apart(found, on), away);
+    double far = ph_check_apart(found, on);
+    ph_vec3 away = far > 0 ? ph_vec3_scale(1 / far, ph_vec3_sub(found, on))
+                           : ph_vec3_of(1, 0, 0);
+    at.point = ph_vec3_along(on, fabs(c->path.distance), away);
     at.point_error = c->segment.noise + ROUND_DISTANCE * fabs(c->path.distance);
   }
   return at;

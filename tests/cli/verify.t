@@ -446,6 +446,18 @@ run verify -q --problems=wide wrong.json
 equal 'a sphere, the other side of it' '"sample_error" 1' \
   "$(jq -c .worst.check out) $status"
 
+# a distance below rounding, where the curve stands still
+echo '{"points":[[139616.222,-95049.963],[139616.222,-95049.9628]],
+"end_derivatives":[[0,-0.000004],[0,-1e-7]]}' >still
+made planar --offset=1e-11 <still
+verified 'an offset of no distance from a point at rest' 1 --problems=still
+for factor in '(1 + 1e-10)' '(1 - 1e-10)'; do
+  jq -c ".offsets[0].segments[0].control_points[-1][1] *= $factor" r >wrong.json
+  run verify -q --problems=still wrong.json
+  equal 'a plane, beside a point at rest' '"offset_error" 1' \
+    "$(jq -c .worst.check out) $status"
+done
+
 # lengths of an offset are rounded as its points are, that are far away
 echo '{"points":[[0,0,0],[0,3e-102,1e-102]],"angles":[[-1.1,-1.9]]}' >tiny
 made spatial-hermite --offset=2 --chord-error=0.06 <tiny
