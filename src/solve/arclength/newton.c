@@ -255,18 +255,22 @@ static void weigh_rows(struct state *t) {
   }
 }
 
-/* A second step with the same matrix that takes the rows back to 0. */
-static void correct(struct state *t, const double *x) {
+/* The rows at x, after a step of this length, differ from what they would be if
+ * they were linear, by their curvature: a second step with the same matrix
+ * takes that back. */
+static void correct(struct state *t, const double *x, double step) {
   const struct ph_arc_system *s = t->s;
   struct ph_arc_newton *w = t->w;
   ph_arc_residual(s, x, w->c);
   memset(w->step, 0, s->kkt_n * sizeof *w->step);
   for (size_t r = 0; r < s->y_n; r++) {
-    w->step[s->place_y[r]] = ph_arc_compliance(s, r) * w->y[r] - w->c[r];
+    double soft = ph_arc_compliance(s, r), y = t->p->y[r];
+    double linear = (1 - step) * (w->linear.c[r] - soft * y);
+    w->step[s->place_y[r]] = linear + soft * (y + step * w->dy[r]) - w->c[r];
   }
   solve(t, w->dx2, NULL);
   for (size_t k = 0; k < s->x_n; k++) {
-    w->dx2[k] += w->dx[k];
+    w->dx2[k] += step * w->dx[k];
   }
 }
 
@@ -282,29 +286,33 @@ static double change(struct state *t) {
   return most / size;
 }
 
+/* Whether a step of this length, or that and a correction, takes the merit
+ * function below a limit; the new x is in w->x[0]. */
+static bool try_step(struct state *t, double step, double limit) {
+  struct ph_arc_newton *w = t->w;
+  double *swap = w->x[1];
+  ph_arc_retract(t->s, t->p->x, w->dx, step, w->x[0]);
+  if (merit(t, w->x[0]) <= limit) {
+    return true;
+  }
+  correct(t, w->x[0], step);
+  ph_arc_retract(t->s, t->p->x, w->dx2, 1, w->x[1]);
+  if (merit(t, w->x[1]) <= limit) {
+    w->x[1] = w->x[0];
+    w->x[0] = swap;
+    return true;
+  }
+  return false;
+}
+
 /* The step length; the new x is in w->x[0].  0: none was good enough. */
 static double search(struct state *t) {
-  const struct ph_arc_system *s = t->s;
-  struct ph_arc_newton *w = t->w;
   double before = merit(t, t->p->x), down = merit_derivative(t),
-         far = change(t);
+         far = change(t), noise = t->noise + 1e-14 * before;
   double step = far < STEP_MAX ? 1 : STEP_MAX / far;
-  double noise = t->noise + 1e-14 * before;
-  while (step > STEP_MIN && !ph_arena_late(w->arena)) {
-    double *swap;
-    ph_arc_retract(s, t->p->x, w->dx, step, w->x[0]);
-    if (merit(t, w->x[0]) <= before + ARMIJO * step * down + noise) {
+  while (step > STEP_MIN && !ph_arena_late(t->w->arena)) {
+    if (try_step(t, step, before + ARMIJO * step * down + noise)) {
       return step;
-    }
-    if (!(step < 1)) {
-      correct(t, w->x[0]);
-      ph_arc_retract(s, t->p->x, w->dx2, 1, w->x[1]);
-      if (merit(t, w->x[1]) <= before + ARMIJO * down + noise) {
-        swap = w->x[0];
-        w->x[0] = w->x[1];
-        w->x[1] = swap;
-        return 1;
-      }
     }
     step /= 2;
   }
