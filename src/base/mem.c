@@ -138,6 +138,7 @@ void ph_budget_start(struct ph_budget *budget, size_t bytes, double seconds) {
   budget->seconds = seconds;
   budget->end = seconds > 0 ? clock_now() + seconds : 0;
   budget->late = false;
+  budget->apart = 0;
 }
 
 void ph_budget_stop(struct ph_budget *budget) {
@@ -158,6 +159,11 @@ bool ph_arena_late(const struct ph_arena *arena) {
   return b->late;
 }
 
+/* What a budget has left. */
+static size_t left(const struct ph_budget *b) {
+  return !b->bytes ? SIZE_MAX : b->used < b->bytes ? b->bytes - b->used : 0;
+}
+
 /* Takes bytes from the budget; false: it is spent. */
 static bool spend(struct ph_arena *arena, size_t bytes) {
   struct ph_budget *b = arena->budget;
@@ -167,8 +173,7 @@ static bool spend(struct ph_arena *arena, size_t bytes) {
   if (ph_arena_late(arena)) {
     return false;
   }
-  if (b->bytes &&
-      (b->needed || b->used > b->bytes || bytes > b->bytes - b->used)) {
+  if (b->bytes && (b->needed || bytes > left(b))) {
     b->needed = b->needed                    ? b->needed
                 : bytes > SIZE_MAX - b->used ? SIZE_MAX
                                              : b->used + bytes;
@@ -185,6 +190,41 @@ static void refund(struct ph_arena *arena, size_t taken) {
     arena->budget->used -= arena->taken - taken;
     arena->taken = taken;
   }
+}
+
+void ph_account_begin(struct ph_account *account,
+                      const struct ph_arena *arena) {
+  struct ph_budget *whole = arena->budget;
+  *account = (struct ph_account){.whole = whole};
+  if (whole) {
+    const size_t rest = left(whole);
+    account->arena.budget = &account->budget;
+    account->budget.bytes = !whole->bytes ? 0 : rest ? rest : 1;
+    account->budget.seconds = whole->seconds;
+    account->budget.end = whole->end;
+  }
+}
+
+bool ph_account_done(struct ph_account *account) {
+  const size_t taken = account->arena.taken;
+  return !account->whole ||
+         atomic_fetch_add(&account->whole->apart, taken) + taken <=
+             left(account->whole);
+}
+
+bool ph_account_end(struct ph_account *account) {
+  const struct ph_budget *own = &account->budget;
+  struct ph_budget *whole = account->whole;
+  const size_t taken = account->arena.taken;
+  if (!whole) {
+    return true;
+  }
+  atomic_fetch_sub(&whole->apart, taken);
+  whole->late = whole->late || own->late;
+  account->arena.budget = whole;
+  account->arena.taken = 0;
+  return spend(&account->arena, own->needed ? own->needed : taken) &&
+         !own->needed;
 }
 
 void *ph_arena_array(struct ph_arena *arena, size_t n, size_t size) {

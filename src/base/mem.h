@@ -35,12 +35,13 @@ void ph_free(void *memory);
  * keeps to its budget does not depend on the records before it.
  */
 struct ph_budget {
-  size_t bytes;      /* 0: any number */
-  size_t used;       /* now */
-  size_t needed;     /* by the first request beyond; 0: there was none */
-  double seconds;    /* 0: any number */
-  double end;        /* on the monotonic clock */
-  atomic_bool late;  /* it has passed, and that was seen */
+  size_t bytes;        /* 0: any number */
+  size_t used;         /* now */
+  size_t needed;       /* by the first request beyond; 0: there was none */
+  double seconds;      /* 0: any number */
+  double end;          /* on the monotonic clock */
+  atomic_bool late;    /* it has passed, and that was seen */
+  atomic_size_t apart; /* of accounts that are done, and not ended */
   atomic_int *spare; /* threads for the work on the record (team.h), or NULL */
 };
 
@@ -65,6 +66,31 @@ struct ph_arena ph_arena_beside(const struct ph_arena *arena);
 /* ph_arena_late: whether the time of its budget is over.  What iterates asks
  * from step to step, and stops; it need not say why, as its caller knows. */
 bool ph_arena_late(const struct ph_arena *arena);
+
+/*
+ * What a part of the work on a record takes, which any thread may do beside
+ * others: it is counted apart, up to what the record has left, until who began
+ * it ends it.  Accounts that are ended in their order take from the budget of
+ * the record the same for any number of threads.
+ */
+struct ph_account {
+  struct ph_arena arena;
+  struct ph_budget budget; /* where the record has one, */
+  struct ph_budget *whole; /* which is this; or NULL */
+};
+
+/* ph_account_begin: an empty arena beside another; the account must not move.
+ */
+void ph_account_begin(struct ph_account *account, const struct ph_arena *arena);
+
+/* ph_account_done: its thread takes no more; false: all that are done hold more
+ * than there was left, and no other part need begin. */
+bool ph_account_done(struct ph_account *account);
+
+/* ph_account_end: what it holds is of the budget of the record from now on,
+ * until its arena is freed; false: the part, or this, finds the budget spent.
+ */
+bool ph_account_end(struct ph_account *account);
 
 /* A moment of an arena, to return to. */
 struct ph_mark {

@@ -148,7 +148,12 @@ same 'offsets of a long walk, as a table' 0 -q -f csv --table=offsets -d 0.01 \
   walk.csv
 same 'lengths of a long walk, as a table' 0 -q -f csv --table=lengths walk.csv
 same 'a drawing of a long walk' 0 -q -f svg-path walk.csv
+same 'a drawing of its offset' 0 -q -f svg-path -d 0.1 walk.csv
 walk 5 "$lines" >walk.csv
+same 'a drawing that takes too much memory' 1 -f svg-path --chord-error=1e-10 \
+  --max-memory=$((lines * 1000)) walk.csv
+true_that 'a drawing that takes too much memory: it is told' \
+  grep -q 'of --max-memory' err
 run planar -q -o walk.json walk.csv
 sed 's/"energy":/"energy":1/' walk.json >false.json
 method=verify

@@ -202,6 +202,53 @@ PH_TEST(test_budget_of_bytes) {
   ck_assert_uint_eq(budget.used, 0);
 }
 
+/* Parts of the work, each with what was left; whoever was first, the budget is
+ * spent by the one at which, in their order, it is. */
+PH_TEST(test_accounts) {
+  static const struct {
+    size_t taken[3], failed; /* 3: none */
+    size_t needed;
+    bool room; /* for another, when all are done */
+  } cases[] = {{{16, 32, 48}, 3, 0, true},
+               {{400, 400, 160}, 2, 1056, false},
+               {{400, 944, 16}, 1, 1440, true},
+               {{512, 400, 400}, 1, 1008, false}};
+  for (size_t i = 0; i < COUNT(cases); i++) {
+    struct ph_budget budget = {.used = 0};
+    struct ph_arena whole = {.budget = &budget};
+    struct ph_account account[3];
+    size_t failed = 3, used = 96;
+    bool room = true;
+    unit_case("case %zu", i);
+    ph_budget_start(&budget, 1000, 0);
+    ck_assert_ptr_nonnull(ph_arena_array(&whole, 96, 1));
+    for (size_t k = 0; k < 3; k++) {
+      ph_account_begin(&account[k], &whole);
+    }
+    for (size_t k = 3; k-- > 0;) {
+      const size_t n = cases[i].taken[k];
+      ck_assert(!ph_arena_array(&account[k].arena, n, 1) == (n > 904));
+      room = ph_account_done(&account[k]);
+      ck_assert_uint_eq(budget.used, 96);
+    }
+    ck_assert(room == cases[i].room);
+    for (size_t k = 0; k < 3; k++) {
+      const bool good = ph_account_end(&account[k]);
+      failed = good || failed < 3 ? failed : k;
+      used += failed < 3 ? 0 : cases[i].taken[k];
+      ck_assert_uint_eq(budget.used, used);
+    }
+    ck_assert_uint_eq(failed, cases[i].failed);
+    ck_assert_uint_eq(budget.needed, cases[i].needed);
+    for (size_t k = 0; k < 3; k++) {
+      ph_arena_free(&account[k].arena);
+    }
+    ck_assert_uint_eq(budget.used, 96);
+    ck_assert_uint_eq(budget.apart, 0);
+    ph_arena_free(&whole);
+  }
+}
+
 PH_TEST(test_budget_of_time) {
   struct ph_budget budget = {.used = 0};
   struct ph_arena a = {.budget = &budget};

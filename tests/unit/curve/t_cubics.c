@@ -334,6 +334,73 @@ PH_TEST(test_gaps) {
   }
 }
 
+/* An array of so many numbers, again and again. */
+static double *repeated(const double *v, size_t n, size_t times) {
+  double *all = ph_arena_array(&unit_arena, n * times, sizeof *all);
+  ck_assert_ptr_nonnull(all);
+  for (size_t i = 0; i < n * times; i++) {
+    all[i] = v[i % n];
+  }
+  return all;
+}
+
+/* Of a long curve, whose segments several threads may cover: each of its
+ * segments has the cubics that it has alone, with its cusps, and begins where
+ * the one before ends, but for gaps; it is closed. */
+PH_TEST(test_long) {
+  enum { N = 300 };
+  size_t gaps[] = {127, 128, 200}, gap = 0, k = 0;
+  struct unit_random r = unit_random_of(903);
+  struct any any;
+  struct ph_curve curve;
+  struct ph_offset alone, offset;
+  struct ph_pieces one, cubics;
+  const double *start;
+  do {
+    ph_arena_reset(&unit_arena);
+    any_random(&any, PLANE, &r);
+    alone = offset_of(&any, PLANE, unit_random_in(&r, -1, 1), PH_E2);
+  } while (alone.cusps.n == 0);
+  one = cubics_of(any.curve, &alone, 1e-4);
+  curve = *any.curve;
+  curve.n = N;
+  curve.closed = true;
+  curve.lengths = repeated(curve.lengths, 1, N);
+  curve.control_points = repeated(curve.control_points, 12, N);
+  curve.preimage.v = repeated(curve.preimage.v, 6, N);
+  offset = alone;
+  offset.cusps.n = N * alone.cusps.n;
+  offset.cusps.at =
+      ph_arena_array(&unit_arena, offset.cusps.n, sizeof *offset.cusps.at);
+  ck_assert_ptr_nonnull(offset.cusps.at);
+  for (size_t i = 0; i < offset.cusps.n; i++) {
+    offset.cusps.at[i] = alone.cusps.at[i % alone.cusps.n];
+    offset.cusps.at[i].segment = i / alone.cusps.n;
+  }
+  offset.gaps = (struct ph_gaps){COUNT(gaps), gaps};
+  cubics = cubics_of(&curve, &offset, 1e-4);
+  ck_assert_uint_eq(cubics.n, N * one.n);
+  start = cubics.control_points;
+  for (size_t i = 0; i < cubics.n; i++, start += 8) {
+    const double *p = one.control_points + 8 * (i % one.n), *first = p;
+    k = i / one.n;
+    if (i > 0 && i % one.n == 0) {
+      const bool jumps = gap < COUNT(gaps) && gaps[gap] == k;
+      gap += jumps;
+      first = jumps ? p : one.control_points + 8 * one.n - 2;
+    }
+    ck_assert_uint_eq(cubics.segment[i], k);
+    for (size_t j = 0; j < 8; j++) {
+      const bool last = i + 1 == cubics.n && j >= 6;
+      ck_abs(start[j],
+             last    ? one.control_points[j - 6]
+             : j < 2 ? first[j]
+                     : p[j],
+             0);
+    }
+  }
+}
+
 /* ---- known curves -------------------------------------------------------- */
 
 /* The arc of a unit circle from the x-axis on, turned about that axis. */
