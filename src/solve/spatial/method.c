@@ -28,9 +28,10 @@ static const double EXACT = 1e-13;
 static const double MINIMUM = 1e-7;
 
 /* The work of a segment, in evaluations of a functional, half a microsecond
- * each: beyond the first the search at another tension begins with what was
- * found at the last one, beyond the second there is none. */
-enum { WORK_WHOLE = 75000, WORK_MOST = 100000 };
+ * each: beyond the first, which the last whole search may exceed by far, the
+ * search at another tension begins with what was found at the last one; it has
+ * the second for that, whatever there was before. */
+enum { WORK_WHOLE = 75000, WORK_NEAR = 25000 };
 
 /* Segments that are held together, that a thread takes at once, and that are
  * worth another one: a segment takes a microsecond and more, a thread 20 to
@@ -144,7 +145,7 @@ struct choice {
   const struct task *task;
   size_t segment, evaluations;
   struct ph_spatial_data data; /* dp and directions */
-  size_t work;
+  size_t work, near;           /* of whole searches, and of others */
   bool cut_short;
   struct ph_spatial_minimum last; /* found */
   struct ph_diag *diag;
@@ -206,14 +207,15 @@ static enum ph_status search_fairest(struct choice *c,
   c->cut_short = c->work >= WORK_WHOLE;
   if (!c->cut_short) {
     status = ph_spatial_minimize(search, &t->rules, t->scratch, &c->last);
-  } else if (c->work < WORK_MOST) {
+    c->work += c->last.work;
+  } else if (c->near < WORK_NEAR) {
     struct ph_spatial_search near = *search;
     near.functional = c->last.functional;
     status = ph_spatial_descend(&near, &t->rules, t->scratch, &c->last);
+    c->near += c->last.work;
   } else {
     c->last.value = HUGE_VAL;
   }
-  c->work += c->last.work;
   return status;
 }
 
