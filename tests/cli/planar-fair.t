@@ -189,6 +189,9 @@ if [ "${PH_SHORT-}" != 1 ]; then
 'steps: from 9.74788e+06 it came to x, and the last step still gained '\
 'more than 1e-8 of that [cut-short]' \
     "$(sed -n '/cut-short/s/ to [0-9.]*,/ to x,/p' err)"
+  sed -n '/cut-short/s/.* to \([0-9.]*\),.*/\1/p' err |
+    holds 'cut short: far below where it began' \
+      'n == 1 && 0 < x[1] && x[1] < 1e6'
 fi
 
 # An area below all normal numbers is rounded once.
