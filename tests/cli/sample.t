@@ -346,3 +346,30 @@ area 'of trigonometric curves as Bezier curves' 28.274334 planar \
   "{$ring,\"basis\":\"atph\",\"alpha\":0.7853981633974483}" --convert=bezier
 area 'of a polygon' 8 tc \
   '{"closed":true,"tolerance":0.01,"curve":[[[0,0],[4,0]],[[4,0],[4,2]],[[4,2],[0,2]],[[0,2],[0,0]]]}'
+
+# ---- a long curve --------------------------------------------------------------
+
+# Its segments are walked along in parts: every multiple of the spacing is there
+# once, in the segment that has it, and so are given lengths.
+walk 4 2000 >long.csv
+run planar -q -f csv --table=samples -n 1 long.csv
+mv out joints
+for rule in --spacing=0.37 "--at=$(awk 'BEGIN {
+  for (i = 0; i < 3000; i++) printf "%s%.2f", i ? "," : "", i * 0.37
+}')"; do
+  run planar -q -f csv --table=samples "$rule" long.csv
+  name=${rule%%=*}
+  equal "a long curve, $name: the samples that are wrong" '' "$(awk -F, '
+    FNR == 1 { next }
+    NR == FNR { high[$2] = $4; low[$2] = low[$2] == "" ? $4 : low[$2]; next }
+    { n++; last = $4; good = (last - 0.37 * (n - 1)) ^ 2 < 1e-24 * n * n }
+    !good { off = off " " n }
+    $4 < low[$2] - 1e-9 || $4 > high[$2] + 1e-9 { print n }
+    END {
+      if (off != "" && off != " " n) print off
+      if (n < 3000) print n " samples"
+    }' joints out)"
+done
+equal 'a long curve: the last sample is its end' "$(tail -n 1 joints | cut -d, -f4)" \
+  "$(run planar -q -f csv --table=samples --spacing=0.37 long.csv &&
+    tail -n 1 out | cut -d, -f4)"

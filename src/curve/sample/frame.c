@@ -23,7 +23,7 @@ static const struct ph_kind *kind_of(const struct ph_framing *f) {
   return ph_kind_of(f->sampler->curve);
 }
 
-static bool turns(const struct ph_framing *f) {
+bool ph_framing_goes_on(const struct ph_framing *f) {
   return f->frame == PH_FRAME_RMF && kind_of(f)->turn;
 }
 
@@ -82,13 +82,13 @@ enum ph_status ph_framing_begin(struct ph_framing *framing,
 }
 
 void ph_framing_leave(struct ph_framing *f) {
-  if (turns(f)) {
+  if (ph_framing_goes_on(f)) {
     minimising_at(f, 1, f->before);
   }
 }
 
 enum ph_status ph_framing_enter(struct ph_framing *f, struct ph_diag *diag) {
-  return turns(f) ? go_on(f, diag) : PH_OK;
+  return ph_framing_goes_on(f) ? go_on(f, diag) : PH_OK;
 }
 
 ph_vec3 ph_sample_principal(const struct ph_sample *sample, ph_vec3 normal) {
@@ -106,7 +106,7 @@ void ph_framing_at(const struct ph_framing *f, double u,
   if (f->frame == PH_FRAME_FRENET) {
     frame[1] = kind->principal(f->sampler, u, sample);
     frame[2] = ph_vec3_cross(frame[0], frame[1]);
-  } else if (turns(f)) {
+  } else if (ph_framing_goes_on(f)) {
     minimising_at(f, u, frame);
   } else {
     kind->reference(f->sampler, u, frame);

@@ -27,6 +27,10 @@ enum ph_status ph_framing_begin(struct ph_framing *framing,
                                 const struct ph_sampler *sampler,
                                 enum ph_frame frame, struct ph_diag *diag);
 
+/* ph_framing_goes_on: whether the frames of a segment depend on those before.
+ */
+bool ph_framing_goes_on(const struct ph_framing *framing);
+
 /* ph_framing_leave: before the sampler leaves its segment for the next one. */
 void ph_framing_leave(struct ph_framing *framing);
 

@@ -1,14 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Samples: the sampler by kind, the arrays, and the walk along a whole curve
- * (see sample.h).
- */
+/* Samples: the arrays, and the walk along a whole curve (see sample.h). */
 #include "curve/sample/sample.h"
 
 #include "base/sum.h"
+#include "base/team.h"
 #include "curve/kind/kind.h"
 #include "curve/offset/gap.h"
-#include "curve/offset/loop.h"
 #include "curve/sample/chord.h"
 #include "curve/sample/frame.h"
 #include "curve/sample/inversion.h"
@@ -25,69 +22,8 @@ static const double GROWTH = 8;
 static const double LAST = 1e-9;
 /* So many samples are computed together. */
 enum { GROUP = 16 };
-
-/* ---- the sampler --------------------------------------------------------- */
-
-enum ph_status ph_sampler_begin(struct ph_sampler *sampler,
-                                const struct ph_curve *curve,
-                                const struct ph_offset *offset,
-                                struct ph_arena *arena, struct ph_diag *diag) {
-  const struct ph_kind *kind = ph_kind_of(curve);
-  *sampler = (struct ph_sampler){.curve = curve,
-                                 .offset = offset,
-                                 .arena = arena,
-                                 .ops = offset ? &kind->beside : &kind->curve,
-                                 .n = curve->n};
-  return sampler->ops->begin(sampler, diag);
-}
-
-enum ph_status ph_sampler_begin_loop(struct ph_sampler *sampler,
-                                     const struct ph_curve *curve,
-                                     const struct ph_offset *offset,
-                                     const struct ph_loop *loop,
-                                     struct ph_arena *arena,
-                                     struct ph_diag *diag) {
-  *sampler = (struct ph_sampler){.curve = curve,
-                                 .offset = offset,
-                                 .loop = loop,
-                                 .arena = arena,
-                                 .ops = &ph_loop_ops,
-                                 .n = loop->n};
-  return sampler->ops->begin(sampler, diag);
-}
-
-enum ph_status ph_sampler_enter(struct ph_sampler *sampler, size_t k,
-                                struct ph_diag *diag) {
-  sampler->k = k;
-  return sampler->ops->enter(sampler, diag);
-}
-
-struct ph_sample ph_sampler_at(const struct ph_sampler *sampler, double u) {
-  return sampler->ops->at(sampler, u);
-}
-
-/* The same as ph_sampler_at, to the last bit, at n places; where some are
- * computed at once, in less time.  out  samples[n] */
-static void at_each(const struct ph_sampler *sampler, const double *u, size_t n,
-                    struct ph_sample *samples) {
-  if (sampler->ops->at_each) {
-    sampler->ops->at_each(sampler, u, n, samples);
-    return;
-  }
-  for (size_t i = 0; i < n; i++) {
-    samples[i] = ph_sampler_at(sampler, u[i]);
-  }
-}
-
-double ph_sampler_length(const struct ph_sampler *sampler, double u,
-                         double *speed) {
-  return sampler->ops->length(sampler, u, speed);
-}
-
-double ph_sampler_chord_bound(const struct ph_sampler *sampler, double u0,
-                              double u1) {
-  return sampler->ops->chord_bound(sampler, u0, u1);
-}
+/* So many segments a thread walks along at a time. */
+enum { PART = 128 };
 
 /* ---- the walk ------------------------------------------------------------ */
 
@@ -107,6 +43,7 @@ struct walk {
   size_t waiting;  /* so many of them, all of the segment */
   size_t most, room;
   struct ph_sum start; /* length before the segment */
+  bool shared; /* the arrays, which have room, with other parts of the walk */
   struct ph_diag *diag;
 };
 
@@ -175,6 +112,10 @@ static enum ph_status reserve(struct walk *walk, double n, double all) {
   if (!(needed <= (double)walk->most)) {
     return too_many(walk, needed);
   }
+  if (walk->shared && needed > (double)walk->room) {
+    return ph_fail(walk->diag, PH_E_INTERNAL, "samples",
+                   "are more than there was room for");
+  }
   return needed <= (double)walk->room
              ? PH_OK
              : move_to(walk,
@@ -237,6 +178,19 @@ static void put_sample(struct walk *walk, size_t i, double u,
   }
 }
 
+/* As ph_sampler_at, to the last bit, at n places; where some are
+ * computed at once, in less time.  out  samples[n] */
+static void at_each(const struct ph_sampler *sampler, const double *u, size_t n,
+                    struct ph_sample *samples) {
+  if (sampler->ops->at_each) {
+    sampler->ops->at_each(sampler, u, n, samples);
+    return;
+  }
+  for (size_t i = 0; i < n; i++) {
+    samples[i] = ph_sampler_at(sampler, u[i]);
+  }
+}
+
 /* Computes the samples that wait, which are the last ones. */
 static void settle(struct walk *walk) {
   const size_t n = walk->waiting, first = walk->samples->n - n;
@@ -279,6 +233,11 @@ static enum ph_status by_parameter(struct walk *walk) {
   return PH_OK;
 }
 
+/* What is not before this is at a joint with so much before it. */
+static double before_joint(double length) {
+  return length - AT_JOINT * length;
+}
+
 /* At the start of a part, and at multiples of the spacing that are not all but
  * there. */
 static enum ph_status by_spacing(struct walk *walk) {
@@ -300,7 +259,7 @@ static enum ph_status by_spacing(struct walk *walk) {
       s = (double)++walk->step * spacing;
     }
   }
-  while (status == PH_OK && s < ph_sum_value(&after) - joint) {
+  while (status == PH_OK && s < before_joint(ph_sum_value(&after))) {
     double local = (s - walk->start.high) - walk->start.low;
     put(walk,
         ph_inversion_next(&past, sampler, local > joint ? local : 0, NULL), s);
@@ -342,7 +301,7 @@ static enum ph_status by_lengths(struct walk *walk) {
   struct ph_inversion past = {.n = 0};
   double before;
   ph_sum_add(&after, sampler->length);
-  before = ph_sum_value(&after) * (1 - AT_JOINT);
+  before = before_joint(ph_sum_value(&after));
   for (; walk->step < rules->n && (last || rules->lengths[walk->step] < before);
        walk->step++) {
     const double s = rules->lengths[walk->step];
@@ -410,31 +369,168 @@ static enum ph_status (*const places[])(struct walk *) = {
     [PH_SAMPLE_PLACES] = by_places,
 };
 
-static enum ph_status go(struct walk *walk) {
-  const struct ph_sample_rules *rules = walk->rules;
-  const struct ph_curve *curve = walk->sampler.curve;
-  enum ph_status status =
-      rules->how == PH_SAMPLE_PARAMETER
-          ? reserve(walk, (double)walk->sampler.n * ((double)rules->n + 1), 0)
-      : rules->how == PH_SAMPLE_LENGTHS || rules->how == PH_SAMPLE_PLACES
-          ? reserve(walk, (double)rules->n, 0)
-      : rules->how == PH_SAMPLE_SPACING && !walk->sampler.offset
-          ? reserve(walk, curve->length / rules->spacing + 4, 0)
-          : PH_OK;
-  for (size_t k = 0; status == PH_OK && k < walk->sampler.n; k++) {
+/* Along segments first to end - 1. */
+static enum ph_status go(struct walk *walk, size_t first, size_t n) {
+  enum ph_status status = PH_OK;
+  for (size_t k = first; status == PH_OK && k < n; k++) {
     status = ph_arena_late(walk->sampler.arena) ? ph_fail_memory(walk->diag)
                                                 : enter(walk, k);
     if (status == PH_OK) {
-      status = places[rules->how](walk);
+      status = places[walk->rules->how](walk);
       settle(walk);
       ph_sum_add(&walk->start, walk->sampler.length);
     }
-    if (status == PH_OK && rules->how == PH_SAMPLE_SPACING && ends(walk)) {
+    if (status == PH_OK && walk->rules->how == PH_SAMPLE_SPACING &&
+        !walk->shared && ends(walk)) {
       end(walk);
     }
   }
   return status;
 }
+
+static enum ph_status begin(struct walk *walk, const struct ph_curve *curve,
+                            const struct ph_offset *offset,
+                            const struct ph_loop *loop,
+                            struct ph_arena *arena) {
+  const enum ph_frame frame = walk->samples->frame;
+  enum ph_status status =
+      loop ? ph_sampler_begin_loop(&walk->sampler, curve, offset, loop, arena,
+                                   walk->diag)
+           : ph_sampler_begin(&walk->sampler, curve, offset, arena, walk->diag);
+  walk->chords.arena = arena;
+  walk->sampler.framed = frame != PH_FRAME_NONE;
+  return status == PH_OK ? ph_framing_begin(&walk->framing, &walk->sampler,
+                                            frame, walk->diag)
+                         : status;
+}
+
+/* Room for the samples, where their number is known. */
+static enum ph_status begin_room(struct walk *walk) {
+  const struct ph_sample_rules *rules = walk->rules;
+  const struct ph_sampler *sampler = &walk->sampler;
+  return rules->how == PH_SAMPLE_PARAMETER
+             ? reserve(walk, (double)sampler->n * ((double)rules->n + 1), 0)
+         : rules->how == PH_SAMPLE_LENGTHS || rules->how == PH_SAMPLE_PLACES
+             ? reserve(walk, (double)rules->n, 0)
+         : rules->how == PH_SAMPLE_SPACING && !sampler->offset
+             ? reserve(walk, sampler->curve->length / rules->spacing + 4, 0)
+             : PH_OK;
+}
+
+/* ---- by several threads -------------------------------------------------- */
+
+/* A part of a long curve. */
+struct part {
+  struct ph_sum start;
+  size_t step; /* places before it, */
+  size_t n;    /* samples before it; when it is done, up to its end */
+  struct ph_account account;
+  enum ph_status status;
+  struct ph_diag diag;
+};
+
+struct parts {
+  const struct walk *walk; /* along the whole curve */
+  struct part *part;
+};
+
+/* Whether it is known where a segment begins, and which samples it has, without
+ * those before it. */
+static bool is_shared(const struct walk *walk) {
+  return !walk->sampler.offset && walk->rules->how != PH_SAMPLE_CHORD &&
+         !ph_framing_goes_on(&walk->framing) && walk->sampler.n >= 2 * PART;
+}
+
+/* Whether a place comes before segment k, where so much is behind. */
+static bool is_before(const struct ph_sample_rules *rules, size_t place,
+                      size_t k, double start) {
+  switch (rules->how) {
+  case PH_SAMPLE_SPACING:
+    return (double)place * rules->spacing < before_joint(start);
+  case PH_SAMPLE_LENGTHS:
+    return place < rules->n && rules->lengths[place] < before_joint(start);
+  case PH_SAMPLE_PLACES:
+    return place < rules->n && rules->places[place].segment < k;
+  default:
+    return place < k * (rules->n + 1);
+  }
+}
+
+static void begin_parts(struct walk *walk, struct part *part) {
+  const struct ph_sampler *sampler = &walk->sampler;
+  for (size_t k = 0; k < sampler->n; k++) {
+    if (k % PART == 0) {
+      const double start = ph_sum_value(&walk->start);
+      while (k > 0 && is_before(walk->rules, walk->step, k, start)) {
+        walk->step++;
+      }
+      *part = (struct part){
+          .start = walk->start, .step = walk->step, .n = walk->step};
+      ph_account_begin(&part++->account, sampler->arena);
+    }
+    ph_sum_add(&walk->start, sampler->curve->lengths[k]);
+  }
+}
+
+static bool go_part(void *context, size_t thread, size_t first, size_t n) {
+  const struct parts *parts = context;
+  struct part *part = &parts->part[first / PART];
+  struct walk walk = *parts->walk;
+  struct ph_samples samples = *walk.samples;
+  (void)thread;
+  samples.n = part->n;
+  walk.samples = &samples;
+  walk.start = part->start;
+  walk.step = part->step;
+  walk.shared = true;
+  walk.diag = &part->diag;
+  part->status =
+      begin(&walk, walk.sampler.curve, NULL, NULL, &part->account.arena);
+  if (part->status == PH_OK) {
+    part->status = go(&walk, first, n);
+  }
+  part->n = samples.n;
+  return ph_account_done(&part->account) && part->status == PH_OK;
+}
+
+/* What the last segment has besides; the first failure is that of the first
+ * part that has one. */
+static enum ph_status end_parts(struct walk *walk, struct part *part,
+                                size_t parts_n) {
+  const size_t last = walk->sampler.n - 1;
+  enum ph_status status = PH_OK;
+  for (size_t i = 0; i < parts_n; i++) {
+    if (!ph_account_end(&part[i].account) && status == PH_OK) {
+      status = ph_fail_memory(walk->diag);
+    } else if (status == PH_OK && part[i].status != PH_OK) {
+      status = part[i].status;
+      *walk->diag = part[i].diag;
+    }
+    ph_arena_free(&part[i].account.arena);
+  }
+  walk->samples->n = part[parts_n - 1].n;
+  if (status == PH_OK && walk->rules->how == PH_SAMPLE_SPACING) {
+    status = ph_sampler_enter(&walk->sampler, last, walk->diag);
+    if (status == PH_OK) {
+      end(walk);
+    }
+  }
+  return status;
+}
+
+static enum ph_status go_shared(struct walk *walk) {
+  const size_t n = walk->sampler.n, parts_n = (n + PART - 1) / PART;
+  struct parts parts = {
+      walk, ph_arena_array(walk->sampler.arena, parts_n, sizeof *parts.part)};
+  if (!parts.part) {
+    return ph_fail_memory(walk->diag);
+  }
+  begin_parts(walk, parts.part);
+  ph_team_share(walk->sampler.arena, n, 2 * PART, PART, go_part, &parts);
+  return end_parts(walk, parts.part, parts_n);
+}
+
+/* ---- the interface ------------------------------------------------------- */
 
 /* out  length  of what is sampled */
 static enum ph_status
@@ -443,21 +539,17 @@ sample(const struct ph_curve *curve, const struct ph_offset *offset,
        enum ph_frame frame, struct ph_arena *arena, struct ph_samples *samples,
        double *length, struct ph_diag *diag) {
   struct walk walk = {.rules = rules,
-                      .chords = {.arena = arena},
                       .samples = samples,
                       .most = rules->most ? rules->most : PH_SAMPLES_MAX,
                       .diag = diag};
-  enum ph_status status =
-      loop ? ph_sampler_begin_loop(&walk.sampler, curve, offset, loop, arena,
-                                   diag)
-           : ph_sampler_begin(&walk.sampler, curve, offset, arena, diag);
+  enum ph_status status;
   *samples = (struct ph_samples){.frame = frame, .dimension = curve->dimension};
-  walk.sampler.framed = frame != PH_FRAME_NONE;
+  status = begin(&walk, curve, offset, loop, arena);
   if (status == PH_OK) {
-    status = ph_framing_begin(&walk.framing, &walk.sampler, frame, diag);
+    status = begin_room(&walk);
   }
   if (status == PH_OK) {
-    status = go(&walk);
+    status = is_shared(&walk) ? go_shared(&walk) : go(&walk, 0, walk.sampler.n);
   }
   *length = ph_sum_value(&walk.start);
   if (status == PH_OK &&
