@@ -67,8 +67,10 @@ PH_INLINE struct scalar along(const struct scalar *c, const struct scalar *p,
   if (order >= 1) {
     q.v[1] = c->v[1] + (u[1] * w[0] + u[0] * w[1]);
   }
-  if (order >= 3) {
+  if (order >= 2) {
     q.v[2] = c->v[2] + (u[2] * w[0] + 2 * u[1] * w[1] + u[0] * w[2]);
+  }
+  if (order >= 3) {
     q.v[3] =
         c->v[3] + (u[3] * w[0] + 3 * (u[2] * w[1] + u[1] * w[2]) + u[0] * w[3]);
   }
@@ -79,15 +81,17 @@ PH_INLINE struct scalar along(const struct scalar *c, const struct scalar *p,
 PH_INLINE struct scalar chain(const double *f, const struct scalar *x,
                               int order) {
   const double *u = x->v;
-  double f1 = -f[1] / 2;
+  double f1 = -f[1] / 2, f2 = f[2] / 4;
   struct scalar s;
   s.v[0] = f[0];
   if (order >= 1) {
     s.v[1] = f1 * u[1];
   }
-  if (order >= 3) {
-    double f2 = f[2] / 4, f3 = -f[3] / 8;
+  if (order >= 2) {
     s.v[2] = f2 * u[1] * u[1] + f1 * u[2];
+  }
+  if (order >= 3) {
+    double f3 = -f[3] / 8;
     s.v[3] = (f3 * u[1] * u[1] + 3 * f2 * u[2]) * u[1] + f1 * u[3];
   }
   return s;
@@ -103,8 +107,10 @@ PH_INLINE struct scalar quotient(const struct scalar *a, const struct scalar *b,
   if (order >= 1) {
     s.v[1] = (u[1] - q0 * w[1]) * inverse;
   }
-  if (order >= 3) {
+  if (order >= 2) {
     s.v[2] = (u[2] - q0 * w[2] - 2 * s.v[1] * w[1]) * inverse;
+  }
+  if (order >= 3) {
     s.v[3] = (u[3] - q0 * w[3] - 3 * (s.v[1] * w[2] + s.v[2] * w[1])) * inverse;
   }
   return s;
@@ -118,8 +124,10 @@ PH_INLINE struct scalar times_sigma(double sigma, const struct scalar *x,
   if (order >= 1) {
     s.v[1] = sigma * x->v[1] + 2 * x->v[0];
   }
-  if (order >= 3) {
+  if (order >= 2) {
     s.v[2] = sigma * x->v[2] + 4 * x->v[1];
+  }
+  if (order >= 3) {
     s.v[3] = sigma * x->v[3] + 6 * x->v[2];
   }
   return s;
@@ -185,13 +193,15 @@ PH_INLINE struct scalar angle(const double f[5], double value,
   if (order >= 1) {
     q.v[1] = e->v[1] * p;
   }
-  if (order >= 3) {
+  if (order >= 2) {
     double p1 = -(f[0] * f[2] + f[1] * f[1]) / 2;
-    double p2 = (f[0] * f[3] + 3 * f[1] * f[2]) / 4;
-    double s1 = p1 * q.v[1], s2;
+    double s1 = p1 * q.v[1];
     q.v[2] = (e->v[2] - s1 * q.v[1]) * p;
-    s2 = p2 * q.v[1] * q.v[1] + p1 * q.v[2];
-    q.v[3] = (e->v[3] - 2 * s1 * q.v[2] - s2 * q.v[1]) * p;
+    if (order >= 3) {
+      double p2 = (f[0] * f[3] + 3 * f[1] * f[2]) / 4;
+      double s2 = p2 * q.v[1] * q.v[1] + p1 * q.v[2];
+      q.v[3] = (e->v[3] - 2 * s1 * q.v[2] - s2 * q.v[1]) * p;
+    }
   }
   return q;
 }
@@ -252,9 +262,11 @@ PH_INLINE void arc_step(const struct ph_spherical_arc *arc,
     z->d[1] = ph_vec3_along(ph_vec3_scale(-arc->a * b, arc->m),
                             arc->b * (1 + a), arc->d);
   }
-  if (order >= 3) {
+  if (order >= 2) {
     ph_vec3 full = ph_vec3_along(ph_vec3_scale(1 + a, arc->m), b, arc->d);
     z->d[2] = ph_vec3_scale(-arc->square, full);
+  }
+  if (order >= 3) {
     z->d[3] = ph_vec3_scale(-arc->square, z->d[1]);
   }
 }
@@ -295,8 +307,10 @@ PH_INLINE void step(ph_vec3 base, const struct basis *basis,
   if (order >= 1) {
     e.v[1] = 2 * ph_vec3_dot(d.d[0], d.d[1]);
   }
-  if (order >= 3) {
+  if (order >= 2) {
     e.v[2] = 2 * (ph_vec3_dot(d.d[0], d.d[2]) + ph_vec3_dot(d.d[1], d.d[1]));
+  }
+  if (order >= 3) {
     e.v[3] =
         2 * (ph_vec3_dot(d.d[0], d.d[3]) + 3 * ph_vec3_dot(d.d[1], d.d[2]));
   }
@@ -406,8 +420,8 @@ void ph_spherical_net_of(const struct ph_spherical *s,
   make_net(&legs, at, net);
 }
 
-static void legs_net(const struct ph_spherical_legs *s,
-                     struct ph_spherical_net *net) {
+void ph_spherical_net_of_legs(const struct ph_spherical_legs *s,
+                              struct ph_spherical_net *net) {
   ph_vec3 at[4] = {{0, 0, 0}};
   for (size_t k = 0; k < 3; k++) {
     at[k + 1] = ph_vec3_add(at[k], s->leg[k]);
@@ -466,28 +480,35 @@ void ph_spherical_jet(const struct ph_spherical *s, double t, ph_vec3 jet[4]) {
   jet[3] = z.d[3];
 }
 
-static void numerator(const struct ph_spherical_net *net, double t,
-                      double k[2]) {
+/* (S x S') . S'' and, of order 3, (S x S') . S''' */
+PH_INLINE void numerators(const struct ph_spherical_net *net, double t,
+                          int order, double k[]) {
   struct jet z;
   ph_vec3 side;
-  net_jet(net, t, 3, &z);
+  net_jet(net, t, order, &z);
   side = ph_vec3_cross(ph_vec3_add(net->base, z.d[0]), z.d[1]);
-  k[0] = ph_vec3_dot(side, z.d[2]);
-  k[1] = ph_vec3_dot(side, z.d[3]);
+  for (int n = 2; n <= order; n++) {
+    k[n - 2] = ph_vec3_dot(side, z.d[n]);
+  }
+}
+
+double ph_spherical_net_numerator(const struct ph_spherical_net *net,
+                                  double t) {
+  double k[1];
+  numerators(net, t, 2, k);
+  return k[0];
+}
+
+void ph_spherical_net_numerators(const struct ph_spherical_net *net, double t,
+                                 double k[2]) {
+  numerators(net, t, 3, k);
 }
 
 void ph_spherical_numerator(const struct ph_spherical *s, double t,
                             double k[2]) {
   struct ph_spherical_net net;
   ph_spherical_net_of(s, &net);
-  numerator(&net, t, k);
-}
-
-void ph_spherical_legs_numerator(const struct ph_spherical_legs *s, double t,
-                                 double k[2]) {
-  struct ph_spherical_net net;
-  legs_net(s, &net);
-  numerator(&net, t, k);
+  ph_spherical_net_numerators(&net, t, k);
 }
 
 /* The angle of a chord of the unit sphere from p. */
@@ -516,6 +537,11 @@ static double last(const struct ph_spherical_legs *s, double *angle) {
 double ph_spherical_legs_numerator_start(const struct ph_spherical_legs *s) {
   double theta;
   return first(s, &theta);
+}
+
+double ph_spherical_legs_numerator_end(const struct ph_spherical_legs *s) {
+  double theta;
+  return last(s, &theta);
 }
 
 double ph_spherical_legs_curvature_start(const struct ph_spherical_legs *s) {

@@ -51,17 +51,14 @@ void ph_spherical_jet(const struct ph_spherical *s, double t, ph_vec3 jet[4]);
 void ph_spherical_numerator(const struct ph_spherical *s, double t,
                             double k[2]);
 
-/* ph_spherical_legs_numerator: the same by legs. */
-void ph_spherical_legs_numerator(const struct ph_spherical_legs *s, double t,
-                                 double k[2]);
-
 /* ph_spherical_numerator_start: K at t = 0, in closed form: with the angles th
  * from p0 to p1 and om from p1 to p2, and f_0 of s2.h,
  *   K = 18 [p0, p1, p2] / (f_0(th^2)^2 f_0(om^2));
- * 0 where p1 = p0. */
+ * 0 where p1 = p0.  By legs also at t = 1. */
 double ph_spherical_numerator_start(const struct ph_spherical *s);
 
 double ph_spherical_legs_numerator_start(const struct ph_spherical_legs *s);
+double ph_spherical_legs_numerator_end(const struct ph_spherical_legs *s);
 
 /* kappa_g at t = 0 and t = 1 in closed form, K / (27 th^3); not
  * finite where p1 = p0 or p2 = p3. */

@@ -26,6 +26,14 @@ struct ph_spherical_net {
 
 void ph_spherical_net_of(const struct ph_spherical *s,
                          struct ph_spherical_net *net);
+void ph_spherical_net_of_legs(const struct ph_spherical_legs *s,
+                              struct ph_spherical_net *net);
+
+/* ph_spherical_net_numerator: K(t) as of ph_spherical_numerator; _numerators:
+ * K'(t), too */
+double ph_spherical_net_numerator(const struct ph_spherical_net *net, double t);
+void ph_spherical_net_numerators(const struct ph_spherical_net *net, double t,
+                                 double k[2]);
 
 /* ph_spherical_net_velocity: S'(t) */
 ph_vec3 ph_spherical_net_velocity(const struct ph_spherical_net *net, double t);

@@ -46,7 +46,7 @@
  */
 #include "solve/sphere/sphere.h"
 
-#include "curve/segment/spherical.h"
+#include "curve/segment/spherical_net.h"
 #include "kernel/s2.h"
 
 #include <math.h>
@@ -228,10 +228,10 @@ struct knot {
   double t, k[2];
 };
 
-static struct knot knot_at(const struct ph_spherical_legs *s, double sign,
+static struct knot knot_at(const struct ph_spherical_net *net, double sign,
                            double t) {
   struct knot at = {t, {0, 0}};
-  ph_spherical_legs_numerator(s, t, at.k);
+  ph_spherical_net_numerators(net, t, at.k);
   at.k[0] *= sign;
   at.k[1] *= sign;
   return at;
@@ -249,7 +249,7 @@ static bool is_positive(const struct knot *a, const struct knot *m,
 
 /* The piece from a to b, by halving from the left: the ends on the right that
  * are yet to come are a stack, end[0] = b. */
-static bool piece_holds(const struct ph_spherical_legs *s, double sign,
+static bool piece_holds(const struct ph_spherical_net *net, double sign,
                         double tiny, struct knot a, struct knot b) {
   struct knot end[DEPTH + 1];
   unsigned halved[DEPTH + 1]; /* how often, to come to end[n - 1] */
@@ -257,7 +257,7 @@ static bool piece_holds(const struct ph_spherical_legs *s, double sign,
   end[0] = b;
   halved[0] = 0;
   while (n > 0) {
-    struct knot m = knot_at(s, sign, (a.t + end[n - 1].t) / 2);
+    struct knot m = knot_at(net, sign, (a.t + end[n - 1].t) / 2);
     if (!(m.k[0] > tiny)) {
       return false;
     }
@@ -274,10 +274,12 @@ static bool piece_holds(const struct ph_spherical_legs *s, double sign,
 }
 
 static bool by_pieces(const struct ph_spherical_legs *s, double sign) {
+  struct ph_spherical_net net;
   struct knot knot[PIECES + 1];
   double most = 0;
+  ph_spherical_net_of_legs(s, &net);
   for (size_t j = 0; j <= PIECES; j++) {
-    knot[j] = knot_at(s, sign, (double)j / PIECES);
+    knot[j] = knot_at(&net, sign, (double)j / PIECES);
     if (!(knot[j].k[0] > 0)) {
       return false;
     }
@@ -289,7 +291,7 @@ static bool by_pieces(const struct ph_spherical_legs *s, double sign) {
     }
   }
   for (size_t j = 0; j < PIECES; j++) {
-    if (!piece_holds(s, sign, TINY * most, knot[j], knot[j + 1])) {
+    if (!piece_holds(&net, sign, TINY * most, knot[j], knot[j + 1])) {
       return false;
     }
   }
@@ -431,7 +433,9 @@ size_t ph_sphere_measure_node(const struct ph_sphere_shape *shape,
 size_t ph_sphere_measure_segment(const struct ph_sphere_shape *shape,
                                  const struct ph_sphere_spline *s, size_t k,
                                  double *g) {
+  enum { LAST = PH_SPHERE_SAMPLES - 1 };
   struct ph_spherical_legs segment;
+  struct ph_spherical_net net;
   struct plane plane;
   double most = 0;
   if (shape->q[k] * shape->q[ph_sphere_next(s->data, k)] <= 0) {
@@ -446,11 +450,14 @@ size_t ph_sphere_measure_segment(const struct ph_sphere_shape *shape,
     g[2] = plane.b[1] + sqrt(fmax(plane.b[0], 0) * fmax(plane.b[2], 0)) - most;
     return PLANE;
   }
-  for (size_t j = 0; j < PH_SPHERE_SAMPLES; j++) {
-    double numerator[2];
-    ph_spherical_legs_numerator(&segment, (double)j / (PH_SPHERE_SAMPLES - 1),
-                                numerator);
-    g[j] = shape->q[k] * numerator[0];
+  ph_spherical_net_of_legs(&segment, &net);
+  g[0] = ph_spherical_legs_numerator_start(&segment);
+  g[LAST] = ph_spherical_legs_numerator_end(&segment);
+  for (size_t j = 1; j < LAST; j++) {
+    g[j] = ph_spherical_net_numerator(&net, (double)j / LAST);
+  }
+  for (size_t j = 0; j <= LAST; j++) {
+    g[j] *= shape->q[k];
     most = fmax(most, g[j]);
   }
   for (size_t j = 0; j < PH_SPHERE_SAMPLES; j++) {

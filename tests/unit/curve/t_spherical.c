@@ -9,7 +9,7 @@
 #include "spherical_unit.h"
 #include "spherical_known_unit.h"
 
-#include "curve/segment/spherical.h"
+#include "curve/segment/spherical_net.h"
 #include "kernel/pi.h"
 #include "kernel/quad.h"
 #include "kernel/s2.h"
@@ -218,6 +218,27 @@ PH_TEST(test_ends) {
     ck_rel(ph_vec3_abs(j[1]), 3 * ph_s2_angle(s.p[2], s.p[3]),
            16 * DBL_EPSILON);
     ck_vec3(j[0], s.p[3], 8 * DBL_EPSILON);
+  }
+}
+
+/* Prepared by its legs: K alone is that of K and K', to the last digit, and at
+ * the ends that in closed form. */
+PH_TEST(test_legs) {
+  struct unit_random r = unit_random_of(617);
+  for (int i = 0; i < unit_count(500); i++) {
+    double angle = pow(10, unit_random_in(&r, -6, 0)), k[2], t;
+    double tol = 1e-13 * angle * angle;
+    struct ph_spherical s = random_segment(&r, angle, 1);
+    struct ph_spherical_legs legs = ph_spherical_legs_of(&s);
+    struct ph_spherical_net net;
+    ph_spherical_net_of_legs(&legs, &net);
+    t = unit_random_in(&r, 0, 1);
+    ph_spherical_net_numerators(&net, t, k);
+    ck_abs(ph_spherical_net_numerator(&net, t), k[0], 0);
+    ck_abs(ph_spherical_net_numerator(&net, 0),
+           ph_spherical_legs_numerator_start(&legs), tol);
+    ck_abs(ph_spherical_net_numerator(&net, 1),
+           ph_spherical_legs_numerator_end(&legs), tol);
   }
 }
 
