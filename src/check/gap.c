@@ -64,7 +64,7 @@ static bool check_jump(struct context *c, size_t k) {
   const double jump = ph_check_apart(a.point, b.point);
   const double error = a.point_error + b.point_error;
   const bool listed = c->gap < c->o->gaps.n && c->o->gaps.before[c->gap] == k;
-  if (!isfinite(error)) {
+  if (!isfinite(jump + error)) {
     return listed;
   }
   if (!listed) {

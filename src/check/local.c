@@ -17,6 +17,9 @@ static const double LENGTH = 1e-13;
 /* Roundings of a parameter and of the few operations that follow. */
 static const double PARAMETER = 4 * DBL_EPSILON;
 
+/* Roundings of a distance: of the unit normal, its product and the sum. */
+static const double ROUND_DISTANCE = 4 * DBL_EPSILON;
+
 /* A direction that changes by its curvature over its speed does so for its
  * derivatives again, and they are polynomials of some degree. */
 static const double NEXT = 8;
@@ -138,6 +141,12 @@ struct motion {
   double error[N - 1];
 };
 
+/* How far a unit vector may be from its place if it is that of a vector which
+ * is off by this part of it: it turns by asin(error), or to any side. */
+static double chord_of(double error) {
+  return error < 1 ? error * sqrt(2 / (1 + sqrt(1 - error * error))) : 2;
+}
+
 /* Adds d e; derivatives of e are as uncertain as the direction of r', more so
  * where it changes fast. */
 static void displace(const struct ph_check_path *path, double u,
@@ -150,7 +159,8 @@ static void displace(const struct ph_check_path *path, double u,
   ph_vec3 e[N];
   across(path, u, r, e);
   local->point = ph_vec3_along(local->point, d, e[0]);
-  local->point_error += error;
+  local->side_error = chord_of(m->error[0] / speed);
+  local->point_error += fabs(d) * (local->side_error + PARAMETER);
   for (size_t i = 0; i + 1 < N; i++) {
     factorial *= (double)(i + 1);
     m->jet[i] = ph_vec3_along(m->jet[i], d * factorial, e[i + 1]);
@@ -218,6 +228,7 @@ struct ph_check_local ph_check_form_local(const struct ph_check_path *path,
   direction = ph_vec3_unit(r[0]);
   local.point = ph_check_point(path->v, s, u);
   local.point_error = s->noise + PARAMETER * s->speed;
+  local.side_error = 0;
   if (fabs(path->distance) > 0) {
     to_series(r);
     displace(path, u, r, &m, &local);
@@ -240,7 +251,8 @@ static void parallel(const struct ph_check_path *path, const ph_vec3 jet[3],
   if (fabs(d) > 0) {
     ph_vec3 left = ph_vec3_cross(jet[0], local->tangent);
     on = ph_vec3_along(ph_vec3_scale(cos(d), jet[0]), sin(d), left);
-    local->point_error += s->radius * fabs(sin(d)) * local->tangent_error;
+    local->side_error = chord_of(local->tangent_error);
+    local->point_error += s->radius * fabs(sin(d)) * local->side_error;
     local->along = cos(d) * local->along - s->radius * sin(d) * turn;
   }
   local->point = ph_vec3_along(s->center, s->radius, on);
@@ -289,6 +301,39 @@ struct ph_check_local ph_check_local_at(const struct ph_check_path *path,
   }
   if (!(local.flat < PH_CHECK_NO_DIRECTION)) {
     local.torsion_error = HUGE_VAL;
+  }
+  return local;
+}
+
+/* The point nearest to the one that was found at the distance of the path from
+ * a point of its curve: round that in any direction. */
+static ph_vec3 nearest_about(const struct ph_check_path *path, ph_vec3 on,
+                             ph_vec3 found) {
+  const struct ph_check_segment *s = path->s;
+  const bool sphere = path->v->kind->sphere;
+  ph_vec3 from = sphere
+                     ? ph_vec3_scale(1 / s->radius, ph_vec3_sub(on, s->center))
+                     : ph_vec3_of(0, 0, 0);
+  ph_vec3 away = ph_vec3_normal(ph_vec3_sub(found, on), from);
+  double d = path->distance, far = ph_check_apart(away, ph_vec3_of(0, 0, 0));
+  away = far > 0  ? ph_vec3_scale(1 / far, away)
+         : sphere ? ph_vec3_any_normal(from)
+                  : ph_vec3_of(1, 0, 0);
+  return sphere ? ph_vec3_along(s->center, s->radius,
+                                ph_vec3_along(ph_vec3_scale(cos(d), from),
+                                              fabs(sin(d)), away))
+                : ph_vec3_along(on, fabs(d), away);
+}
+
+struct ph_check_local ph_check_local_beside(const struct ph_check_path *path,
+                                            double u, ph_vec3 found) {
+  struct ph_check_local local = ph_check_local_at(path, u);
+  if (!(local.side_error < 2)) {
+    const struct ph_check_segment *s = path->s;
+    const ph_vec3 on = ph_check_point(path->v, s, u);
+    local.point = nearest_about(path, on, found);
+    local.point_error =
+        s->noise + PARAMETER * s->speed + ROUND_DISTANCE * fabs(path->distance);
   }
   return local;
 }

@@ -34,6 +34,8 @@ struct ph_check_path {
 
 struct ph_check_local {
   ph_vec3 point, tangent;
+  double side_error; /* of the unit vector along which an offset is, at most 2:
+                        to any side */
   double point_error, tangent_error; /* the latter is not finite where the
                                         curve stands still */
   double speed, speed_error;         /* |o'| by u */
@@ -49,6 +51,12 @@ struct ph_check_local {
 /* ph_check_local_at: the place at u in [0,1]. */
 struct ph_check_local ph_check_local_at(const struct ph_check_path *path,
                                         double u);
+
+/* ph_check_local_beside: the same, for what was found there: where the curve
+ * has no direction, as far as it is known, its offset is at the distance to the
+ * side on which it was found. */
+struct ph_check_local ph_check_local_beside(const struct ph_check_path *path,
+                                            double u, ph_vec3 found);
 
 /* The same of forms and of segments on a sphere, for the rows of kind.c. */
 struct ph_check_local ph_check_form_local(const struct ph_check_path *path,

@@ -122,27 +122,26 @@ struct piece {
   size_t chain, i;
 };
 
-/* The curve at x of a piece; NaN where it is at rest and has no direction. */
-static struct ph_check_local local_of(const struct piece *piece, double x) {
+/* The curve at x of a piece, or what is at the distance from it there. */
+static struct ph_check_local local_of(const struct piece *piece, double x,
+                                      ph_vec3 found) {
   const double *of = piece->walk->v->curve->knots + piece->walk->k;
   const double *knot = piece->s->knots + 1 + piece->s->degree * piece->i;
   const double width = of[1] - of[0], from = (knot[0] - of[0]) / width;
   const double to = (knot[piece->s->degree] - of[0]) / width;
-  const double u = from + x * (to - from);
-  return ph_check_local_at(&piece->walk->path, u < 0 ? 0 : u > 1 ? 1 : u);
+  const double u = from + x * (to - from), at = u < 0 ? 0 : u > 1 ? 1 : u;
+  return ph_check_local_beside(&piece->walk->path, at, found);
 }
 
 static double check_at(const void *context, double x) {
   const struct piece *piece = context;
   struct ph_check *v = piece->walk->v;
   const double *of = v->curve->knots + piece->walk->k;
-  const struct ph_check_local at = local_of(piece, x);
   const ph_vec3 found = point_of(v, piece->s, piece->i, x);
-  if (isnan(at.point.x)) {
-    return 0;
-  }
+  const struct ph_check_local at = local_of(piece, x, found);
+  const double speed = isnan(at.speed) ? 0 : at.speed; /* at rest */
   compare(v, piece->chain, found, at.point,
-          at.point_error + at.speed * v->knot / (of[1] - of[0]) +
+          at.point_error + speed * v->knot / (of[1] - of[0]) +
               PH_CHECK_CLOSELY * ph_check_scaled(v, piece->s->error));
   return ph_check_apart(found, at.point);
 }

@@ -24,10 +24,6 @@ enum { PLACES = 20, DEGREE_MAX = 15, SEARCH = 32 };
  * slower the curve is, the faster may the offset be. */
 static const double CUSP = 1e-9, ROUND_CUSP = 64 * DBL_EPSILON;
 
-/* Roundings of a distance, as of normals elsewhere (local.c): of the unit
- * normal, its product and the sum. */
-static const double ROUND_DISTANCE = 4 * DBL_EPSILON;
-
 /* Turns of loops, radians: what is less, is rounding of short pieces. */
 static const double TURN = 1e-6;
 
@@ -84,22 +80,6 @@ static ph_vec3 scaled(const struct ph_check *v, ph_vec3 a) {
   return ph_check_vector(v, x, 3);
 }
 
-/* Where the offset is that was found somewhere; where the curve stands still
- * and has no direction, at the distance in any. */
-static struct ph_check_local local_of(const struct context *c, double u,
-                                      ph_vec3 found) {
-  struct ph_check_local at = ph_check_local_at(&c->path, u);
-  if (isnan(at.point.x)) {
-    ph_vec3 on = ph_check_point(c->v, &c->segment, u);
-    double far = ph_check_apart(found, on);
-    ph_vec3 away = far > 0 ? ph_vec3_scale(1 / far, ph_vec3_sub(found, on))
-                           : ph_vec3_of(1, 0, 0);
-    at.point = ph_vec3_along(on, fabs(c->path.distance), away);
-    at.point_error = c->segment.noise + ROUND_DISTANCE * fabs(c->path.distance);
-  }
-  return at;
-}
-
 /* Piece i at places of its interval. */
 static void check_rational(struct context *c, size_t i) {
   struct ph_check *v = c->v;
@@ -121,7 +101,7 @@ static void check_rational(struct context *c, size_t i) {
     ph_vec3 found;
     ph_bern_basis(o->degree, x, b);
     found = scaled(v, ph_check_rational(b, n, o->dimension, p, w));
-    at = local_of(c, u, found);
+    at = ph_check_local_beside(&c->path, u, found);
     ph_check_miss(v, PH_CHECK_OFFSET, ph_check_in(i, "control_points"),
                   ph_check_apart(found, at.point), v->scale.size,
                   at.point_error + ph_check_reach(v, found),
@@ -142,7 +122,7 @@ static void check_quotient(struct context *c, size_t i) {
     trigonometric(c->segment.angle, u, b);
     found =
         ph_vec3_add(point, scaled(v, quotient(b, o->dimension, top, bottom)));
-    at = local_of(c, u, found);
+    at = ph_check_local_beside(&c->path, u, found);
     ph_check_miss(v, PH_CHECK_OFFSET, ph_check_in(i, "numerator"),
                   ph_check_apart(found, at.point), v->scale.size,
                   at.point_error, "and denominator are not at the distance");
@@ -230,7 +210,7 @@ static double check_bezier_at(const void *context, double x) {
   found = scaled(
       c->v,
       ph_check_rational(b, n, d, of->control_points + n * d * piece->i, NULL));
-  at = local_of(c, in[0] + x * (in[1] - in[0]), found);
+  at = ph_check_local_beside(&c->path, in[0] + x * (in[1] - in[0]), found);
   error = ph_check_apart(found, at.point);
   ph_check_miss(
       c->v, PH_CHECK_OFFSET, ph_check_of("beziers", piece->i, "control_points"),

@@ -199,17 +199,13 @@ static void check_sample(struct walk *w, size_t i) {
     return;
   }
   s = ph_check_unscaled(v, length_at(w, u));
-  local = ph_check_local_at(&w->path, u);
-  if (isnan(local.point.x)) {
-    return; /* beside a point at rest, where there is no direction */
-  }
-  if (!isfinite(local.point_error)) {
-    /* beside a point at rest; the curve is there itself */
-    local.point_error = v->scale.size;
-  }
+  local = ph_check_local_beside(&w->path, u, point);
   ph_check_miss(v, PH_CHECK_SAMPLE, in(i, "point"),
                 ph_check_apart(point, local.point), v->scale.size,
                 local.point_error, "is away from the curve");
+  if (isnan(local.tangent.x)) {
+    return; /* a point at rest, where there is no direction */
+  }
   if (!isnan(s)) { /* else beside a point at rest, where it is not found */
     ph_check_number(v, PH_CHECK_SAMPLE, in(i, "s"), of->s[i], s,
                     ph_check_larger(fabs(s), ph_check_unscaled(v, w->size)),

@@ -458,6 +458,27 @@ for factor in '(1 + 1e-10)' '(1 - 1e-10)'; do
     "$(jq -c .worst.check out) $status"
 done
 
+# where a curve stands still, an offset is at the distance, to whatever side
+# aside CHECK PATH PROBLEM: a point of r that is moved by a fiftieth of that is
+# refused
+aside() {
+  jq -c ".offsets[0].$2[0] += 1e-6" r >wrong.json
+  run verify -q --problems="$3" wrong.json
+  equal "an offset at rest: $2" "\"$1\" 1" "$(jq -c .worst.check out) $status"
+}
+made planar --offset=0.00005 --sample=4 --nurbs <still
+verified 'an offset of a plane curve at rest' 1 --problems=still
+for end in 0 -1; do
+  aside sample_error "samples[$end].point" still
+  aside nurbs_error "nurbs[0].control_points[$end]" still
+  aside offset_error "segments[0].control_points[$end]" still
+done
+echo '{"points":[[1,0,0],[0,1,0],[0,0.6,0.8]],"ends":"rest"}' >still
+made sphere --offset=0.00005 --sample=4 <still
+verified 'an offset of a spherical curve at rest' 1 --problems=still
+aside sample_error 'samples[0].point' still
+aside sample_error 'samples[-1].point' still
+
 # lengths of an offset are rounded as its points are, that are far away
 echo '{"points":[[0,0,0],[0,3e-102,1e-102]],"angles":[[-1.1,-1.9]]}' >tiny
 made spatial-hermite --offset=2 --chord-error=0.06 <tiny
