@@ -229,15 +229,16 @@ static void check_sample(struct walk *w, size_t i) {
 /* ---- all of them -------------------------------------------------------- */
 
 /* Samples are in the order of the parameter, and so of the length, which may
- * have been rounded. */
+ * have been rounded: that of a far offset as its distance times an angle is. */
 static void check_order(struct walk *w, size_t i) {
   const struct ph_samples *of = w->of;
+  const double far = ph_check_larger(
+      fabs(of->s[of->n - 1]), ph_check_unscaled(w->v, fabs(w->path.distance)));
   if (i > 0 && of->segment[i] == of->segment[i - 1] &&
       !(of->t[i] >= of->t[i - 1])) {
     ph_check_wrong(w->v, PH_CHECK_SAMPLE, in(i, "t"), "is before the last one");
   }
-  if (i > 0 &&
-      !(of->s[i] >= of->s[i - 1] - ROUND_UNIT * fabs(of->s[of->n - 1]))) {
+  if (i > 0 && !(of->s[i] >= of->s[i - 1] - ROUND_UNIT * far)) {
     ph_check_wrong(w->v, PH_CHECK_SAMPLE, in(i, "s"), "is before the last one");
   }
 }

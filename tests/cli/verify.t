@@ -484,6 +484,19 @@ echo '{"points":[[0,0,0],[0,3e-102,1e-102]],"angles":[[-1.1,-1.9]]}' >tiny
 made spatial-hermite --offset=2 --chord-error=0.06 <tiny
 verified 'an offset much farther than the curve is long' 1 --problems=tiny
 
+# ... and are in order to that
+cat >tiny <<'EOF'
+{"points":[[0,0],[1.528783899379346e-119,-8.645255325772053e-120],
+[3.5772873890347565e-119,-2.0229518942752776e-119],
+[5.033466008306408e-119,-2.846419224657585e-119]],"minimize":"MV"}
+EOF
+made planar --offset=2 --sample=6 <tiny
+verified 'a far offset of what is all but straight' 1 --problems=tiny
+jq -c '.offsets[0].samples[12].s -= 1e-14' r >wrong.json
+run verify -q --problems=tiny wrong.json
+equal 'a far offset, not in order' '"sample_error" 1' \
+  "$(jq -c .worst.check out) $status"
+
 # a length between control points that are nearly antipodal is found to less
 cat >wide <<'EOF'
 {"points":[[1,0,0],[1,0.00002,0],[-0.91,0.412,0.0434],[-0.91,0.412,0.04335]],
