@@ -75,6 +75,10 @@ for n in 99 100 150; do
   family "walks, free, $n" walk "$n" 0 0
   family "cables, $n" smooth "$n" 1.01 0.02
 done
+# What leads near a minimum ends there, and where it creeps.
+family 'walks, free, 300' walk 300 0 0
+get diagnostics.iterations | tr ' ' '\n' |
+  holds 'walks, free, 300: steps' 'x[1] < 100 && x[n] < 100'
 family 'walks, 150' walk 150 1.2 0.4
 family 'smooth, free' smooth 150 0 0
 family 'cables, measured' smooth 150 1.01 0.02 ',"length_sigma":0.01'
@@ -99,7 +103,7 @@ for factor in 1.0001 1.001 1.01; do
   # Steps of any length are taken back onto the rows: where lengths are short
   # whole ones are too long, and the first start ended in nothing.
   equal "8 points, $factor of the chords: the first start" '"init"' \
-    "$(get diagnostics.start | head -n 1)"
+    "$(get diagnostics.start | tr ' ' '\n' | head -n 1)"
 done
 
 # Exact directions that are off wind the curve, and need not be kept for those

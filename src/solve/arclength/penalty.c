@@ -287,9 +287,10 @@ static bool advance(struct ph_arc_lagrangian *g) {
 
 /* ---- the search --------------------------------------------------------- */
 
-/* The multipliers may be set anew when a step promises no more than this of
- * the penalty, or of F, and the matrix needs no shift. */
-static const double INNER = 0.1, INNER_SHIFT = 0.01;
+/* The multipliers may be set anew when a step promises no more than INNER of
+ * the penalty, or of F, and the matrix needs no shift; or when it gains no more
+ * than CREEPS: along curved valleys it may for hundreds of steps. */
+static const double INNER = 0.1, INNER_SHIFT = 0.01, CREEPS = 1e-3;
 
 /* Rows that fall by less than this from one setting to the next ask for a
  * larger rho. */
@@ -311,11 +312,13 @@ static double rows_of(const struct ph_arc_lagrangian *g, double *penalty) {
   return most;
 }
 
+/* Whether the inner iteration is at its end, after a step from where the value
+ * was `last'. */
 static bool is_inner(const struct ph_arc_lagrangian *g, double penalty,
-                     double inner_f) {
+                     double inner_f, double last) {
   const struct ph_arc_region *region = &g->w->region;
   return region->fall <= INNER * penalty + inner_f * g->f &&
-         region->shift <= INNER_SHIFT;
+         (region->shift <= INNER_SHIFT || last - g->value <= CREEPS * penalty);
 }
 
 /* Sets the multipliers; false: rho is at its end, and the rows do not fall. */
@@ -356,21 +359,23 @@ bool ph_arc_penalty(const struct ph_arc_system *s,
                     struct ph_arc_penalty_report *report) {
   struct ph_arc_lagrangian g = {
       .s = s, .w = work, .x = x, .y = y, .rho = options->rho};
-  double before = (double)INFINITY, penalty;
+  double before = (double)INFINITY, last, penalty;
   bool more = true;
   *report = (struct ph_arc_penalty_report){0};
   begin(&g);
   ph_arc_windows_begin(&g);
+  last = g.value;
   report->rows = rows_of(&g, &penalty);
   while (more && report->iterations < options->iterations &&
          !ph_arena_late(work->arena) && step(&g)) {
     report->iterations++;
     report->rows = rows_of(&g, &penalty);
-    if (is_inner(&g, penalty, options->inner)) {
+    if (is_inner(&g, penalty, options->inner, last)) {
       more = set_multipliers(&g, options->rho_max, before, report->rows) &&
              !(report->rows <= options->tolerance);
       before = report->rows;
     }
+    last = g.value;
   }
   report->factors = work->region.factors;
   return report->rows <= options->tolerance;
