@@ -87,12 +87,22 @@ void ph_atph_basis(const struct ph_atph *space, double u, double s[2]) {
   s[1] = u * sinc(space->angle * u / 2) / space->sinc;
 }
 
+/* Both at once, as compilers find out where both are of the same number. */
+static double sinc_and_cos(double x, double *c) {
+  const double s = sin(x);
+  *c = cos(x);
+  return x < 1e-4 ? 1 - x * x / 6 : s / x;
+}
+
 /* S0, S1 and their derivatives. */
 static void basis_jet(const struct ph_atph *space, double u, double s[4][2]) {
   double factor = -space->angle * space->angle / 4; /* S'' = factor S */
-  ph_atph_basis(space, u, s[0]);
-  s[1][0] = -cos(space->angle * (1 - u) / 2) / space->sinc;
-  s[1][1] = cos(space->angle * u / 2) / space->sinc;
+  double left, right;
+  s[0][0] =
+      (1 - u) * sinc_and_cos(space->angle * (1 - u) / 2, &left) / space->sinc;
+  s[0][1] = u * sinc_and_cos(space->angle * u / 2, &right) / space->sinc;
+  s[1][0] = -left / space->sinc;
+  s[1][1] = right / space->sinc;
   for (size_t i = 0; i < 2; i++) {
     s[2][i] = factor * s[0][i];
     s[3][i] = factor * s[1][i];

@@ -41,6 +41,9 @@ static enum ph_status evaluate(struct ph_box_hessian *h,
   if (h->found) {
     box->gradient(box->context, gradient);
   }
+  for (size_t i = 0; h->found && i < h->n; i++) {
+    h->found = isfinite(gradient[i]);
+  }
   return status;
 }
 

@@ -25,7 +25,7 @@ struct ph_box_hessian {
   size_t n, k;
   double *a, *factor;            /* as in band.h */
   double *x, *gradient, *change; /* [n] */
-  bool found; /* the function had a value wherever it was asked for */
+  bool found; /* it had a value, and a gradient, wherever it was asked for */
 };
 
 /* ph_box_hessian_alloc: room for n variables and half bandwidth k.

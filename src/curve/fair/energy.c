@@ -7,17 +7,11 @@
  *   E  = integral of kappa^2 |w|^2 du
  *   MV = integral of (dkappa/du)^2 / |w|^2 du
  *
- * Both are smooth unless w nearly vanishes: their poles are the zeros of w and
- * the conjugates of these.  Of PH quintics w has two zeros, and how far the
- * nearer one is, as an ellipse around the interval, says how many nodes are
- * enough; nothing is compared.  Where 20 are not, the interval is cut in half.
- *
- * Otherwise rules of 4, 8 and 16 nodes are compared in turn.  Where not even
- * the last two agree, 16 nodes on an interval are compared with 16 on either
- * half; so they are in parts that grow from where w nearly vanishes.  The finer
- * value is kept, which is far better than the difference says.  GSL's QAG, for
- * each integral by itself, takes 1.4 times as long on gentle segments and twice
- * as long on bent ones, and does not know what is rounding.
+ * Both are smooth unless w nearly vanishes: each piece has a rule that is
+ * enough (pieces.h).  Where none is, 16 nodes on an interval are compared with
+ * 16 on either half, and the halves are cut in turn; so they are in parts that
+ * grow from where w nearly vanishes.  The finer value is kept, which is far
+ * better than the difference says.
  */
 #include "curve/fair/energy.h"
 
@@ -27,18 +21,8 @@
 #include <float.h>
 #include <math.h>
 
-/* The nodes of the rules; and from which ellipse on, by its major semiaxis over
- * that of the interval, each has both integrals to 3e-13: of 3000 pairs of
- * zeros, one on the ellipse and the other on it or beyond, near the same place,
- * its mirror images or anywhere, the worst was near 2e-13 there. */
-static const size_t NODES[PH_ENERGY_RULES] = {4, 6, 8, 12, 16, 20};
-static const double ENOUGH[PH_ENERGY_RULES] = {200, 30, 12.5, 5.3, 3.1, 2.4};
-
-/* Rules that are compared: 4, 8, 16. */
-enum { FIRST_RULE = 0, NEXT_RULE = 2, LAST_RULE = 4 };
-
-/* Cuts in half: to 1/256 of a segment that does not nearly stand still. */
-enum { CUTS_MAX = 8 };
+/* The rule whose halves are compared: 16 nodes. */
+enum { HALVED_RULE = 4 };
 
 /* Intervals of one segment, at most; 2^-50 of it is at the rounding of u. */
 enum { DEPTH_MAX = 50, PARTS_MAX = 4096 };
@@ -50,9 +34,6 @@ static const double ROUNDING = 16 * DBL_EPSILON;
 /* A segment nearly stands still where w changes by as much as it is within
  * this; parts that begin there grow by a factor, from no less than this. */
 static const double SLOW = 1.0 / 32, GROW = 4, SHORTEST = 1e-15;
-
-/* Squares of numbers whose products may be subnormal. */
-static const double TINY = 1e-140;
 
 /* An integral of squares, and the same integral of their terms. */
 struct square {
@@ -111,14 +92,14 @@ static struct square add_squares(struct square a, struct square b) {
 /* Halves an interval until the halves agree with the whole. */
 static void refine(struct ph_energy_sum *c, const struct ph_seg2 *seg,
                    double u0, double u1, const struct pair *whole, int depth) {
-  const struct ph_quad *rule = &c->rule[LAST_RULE];
+  const struct ph_quad *rule = &c->rule[HALVED_RULE];
   double middle = 0.5 * (u0 + u1);
   struct pair left = integrate(seg, rule, u0, middle);
   struct pair right = integrate(seg, rule, middle, u1);
   struct pair sum = {add_squares(left.bending, right.bending),
                      add_squares(left.varying, right.varying)};
-  c->parts++;
-  if (depth == DEPTH_MAX || c->parts >= PARTS_MAX ||
+  c->halved++;
+  if (depth == DEPTH_MAX || c->halved >= PARTS_MAX ||
       !isfinite(sum.bending.value + sum.varying.value) ||
       both_agree(c, whole, &sum)) {
     accept(c, &sum);
@@ -126,6 +107,12 @@ static void refine(struct ph_energy_sum *c, const struct ph_seg2 *seg,
   }
   refine(c, seg, u0, middle, &left, depth + 1);
   refine(c, seg, middle, u1, &right, depth + 1);
+}
+
+static void add_halves(struct ph_energy_sum *c, const struct ph_seg2 *seg,
+                       double u0, double u1) {
+  const struct pair whole = integrate(seg, &c->rule[HALVED_RULE], u0, u1);
+  refine(c, seg, u0, u1, &whole, 0);
 }
 
 /* How far from u the preimage has changed by as much as it is. */
@@ -145,12 +132,10 @@ static void add_growing(struct ph_energy_sum *c, const struct ph_seg2 *seg,
   part = fmax(part, SHORTEST * whole);
   for (double from = 0; from < whole; from = to, part *= GROW) {
     double a, b;
-    struct pair sum;
     to = fmin(from + part, whole);
     a = end > slow ? slow + from : to < whole ? slow - to : end;
     b = end < slow ? slow - from : to < whole ? slow + to : end;
-    sum = integrate(seg, &c->rule[LAST_RULE], a, b);
-    refine(c, seg, a, b, &sum, 0);
+    add_halves(c, seg, a, b);
   }
 }
 
@@ -182,52 +167,51 @@ static bool add_slow(struct ph_energy_sum *c, const struct ph_seg2 *seg) {
   return true;
 }
 
-/* ---- PH quintics --------------------------------------------------------- */
+/* ---- pieces -------------------------------------------------------------- */
 
-/* A zero of w, p / d. */
-struct zero {
-  ph_cplx p, d;
+/* Of a PH segment w' at either end, and w''. */
+struct bernstein {
+  ph_cplx first, last, second;
 };
 
-/* The zeros of a preimage; false: rounding may have them elsewhere. */
-static bool zeros_of(const ph_cplx w[3], struct zero zeros[2]) {
-  const ph_cplx square =
-      ph_cplx_sub(ph_cplx_mul(w[1], w[1]), ph_cplx_mul(w[0], w[2]));
-  const ph_cplx root = ph_cplx_sqrt(square);
-  const ph_cplx q = ph_cplx_dot(w[1], root) >= 0 ? ph_cplx_add(w[1], root)
-                                                 : ph_cplx_sub(w[1], root);
-  zeros[0] = (struct zero){q, ph_cplx_sub(q, w[2])};
-  zeros[1] = (struct zero){w[0], ph_cplx_sub(w[0], q)};
-  return ph_cplx_norm2(q) > TINY;
+static struct bernstein bernstein_of(const ph_cplx w[3]) {
+  struct bernstein b = {.first = ph_cplx_scale(2, ph_cplx_sub(w[1], w[0])),
+                        .last = ph_cplx_scale(2, ph_cplx_sub(w[2], w[1]))};
+  b.second = ph_cplx_sub(b.last, b.first);
+  return b;
 }
 
-/* The major semiaxis of the ellipse around [u0,u1], its foci, through a zero,
- * over half of u1 - u0. */
-static double ellipse(const struct zero *z, double u0, double u1) {
-  const ph_cplx a = ph_cplx_sub(z->p, ph_cplx_scale(u0, z->d));
-  const ph_cplx b = ph_cplx_sub(z->p, ph_cplx_scale(u1, z->d));
-  return (ph_cplx_abs(a) + ph_cplx_abs(b)) / (ph_cplx_abs(z->d) * (u1 - u0));
+static void jet_at(const struct ph_seg2 *seg, const struct bernstein *b,
+                   double u, ph_cplx jet[3]) {
+  const ph_cplx *w = seg->w;
+  const double v = 1 - u, b0 = v * v, b1 = 2 * u * v, b2 = u * u;
+  if (seg->space.angle > 0) {
+    ph_atph_jet_by_basis(&seg->space, w, u, jet, 3);
+    return;
+  }
+  jet[0] = ph_cplx_of(b0 * w[0].re + b1 * w[1].re + b2 * w[2].re,
+                      b0 * w[0].im + b1 * w[1].im + b2 * w[2].im);
+  jet[1] = ph_cplx_of(v * b->first.re + u * b->last.re,
+                      v * b->first.im + u * b->last.im);
+  jet[2] = b->second;
 }
 
-/* Both integrals by one rule. */
-static void add_rule(struct ph_energy_sum *c, const struct ph_quad *rule,
-                     const ph_cplx w[3], double u0, double u1) {
-  const ph_cplx first = ph_cplx_scale(2, ph_cplx_sub(w[1], w[0]));
-  const ph_cplx last = ph_cplx_scale(2, ph_cplx_sub(w[2], w[1]));
-  const ph_cplx second = ph_cplx_sub(last, first);
+/* Both integrals on a piece, by its rule. */
+static void add_rule(struct ph_energy_sum *c, const struct ph_seg2 *seg,
+                     const struct ph_piece *piece) {
+  const struct ph_quad *rule = &c->rule[piece->rule];
+  const struct bernstein b = bernstein_of(seg->w);
+  const double u0 = piece->from, u1 = piece->to;
   double bending = 0, varying = 0;
   for (size_t i = 0; i < rule->n; i++) {
-    const double u = u0 + (u1 - u0) * rule->node[i], v = 1 - u;
-    const double b0 = v * v, b1 = 2 * u * v, b2 = u * u;
-    const ph_cplx at = ph_cplx_of(b0 * w[0].re + b1 * w[1].re + b2 * w[2].re,
-                                  b0 * w[0].im + b1 * w[1].im + b2 * w[2].im);
-    const ph_cplx to =
-        ph_cplx_of(v * first.re + u * last.re, v * first.im + u * last.im);
-    const double per = 1 / ph_cplx_norm2(at);
-    const double turn = ph_cplx_cross(at, to) * per;
-    const double stretch = ph_cplx_dot(at, to) * per;
-    const double more = ph_cplx_cross(at, second) * per;
-    const double rate = 2 * more - 8 * turn * stretch;
+    ph_cplx w[3];
+    double per, turn, stretch, more, rate;
+    jet_at(seg, &b, u0 + (u1 - u0) * rule->node[i], w);
+    per = 1 / ph_cplx_norm2(w[0]);
+    turn = ph_cplx_cross(w[0], w[1]) * per;
+    stretch = ph_cplx_dot(w[0], w[1]) * per;
+    more = ph_cplx_cross(w[0], w[2]) * per;
+    rate = 2 * more - 8 * turn * stretch;
     bending += rule->weight[i] * 4 * turn * turn * per;
     varying += rule->weight[i] * rate * rate * per * per * per;
   }
@@ -235,50 +219,22 @@ static void add_rule(struct ph_energy_sum *c, const struct ph_quad *rule,
   ph_sum_add(&c->varying, (u1 - u0) * varying);
 }
 
-/* Adds an interval by the rule that has enough nodes, or in halves. */
-static void add_by_zeros(struct ph_energy_sum *c, const struct ph_seg2 *seg,
-                         const struct zero *zeros, double u0, double u1,
-                         int cuts) {
-  const double nearer =
-      fmin(ellipse(&zeros[0], u0, u1), ellipse(&zeros[1], u0, u1));
-  const double middle = 0.5 * (u0 + u1);
-  size_t i = 0;
-  while (i < PH_ENERGY_RULES && nearer < ENOUGH[i]) {
-    i++;
-  }
-  if (i < PH_ENERGY_RULES) {
-    c->parts++;
-    add_rule(c, &c->rule[i], seg->w, u0, u1);
-  } else if (cuts < CUTS_MAX) {
-    add_by_zeros(c, seg, zeros, u0, middle, cuts + 1);
-    add_by_zeros(c, seg, zeros, middle, u1, cuts + 1);
-  } else {
-    const struct pair whole = integrate(seg, &c->rule[LAST_RULE], u0, u1);
-    refine(c, seg, u0, u1, &whole, cuts);
-  }
-}
-
 /* ---- the whole ----------------------------------------------------------- */
 
 bool ph_energy_begin(struct ph_energy_sum *sum) {
   ph_energy_clear(sum);
-  for (size_t i = 0; i < PH_ENERGY_RULES; i++) {
-    if (!ph_quad_gauss(&sum->rule[i], NODES[i])) {
-      return false;
-    }
-  }
-  return true;
+  return ph_pieces_rules(sum->rule);
 }
 
 void ph_energy_clear(struct ph_energy_sum *sum) {
   sum->bending = sum->varying = (struct ph_sum){0, 0};
-  sum->parts = 0;
+  sum->halved = 0;
 }
 
 bool ph_energy_add(struct ph_energy_sum *sum, const struct ph_seg2 *seg) {
-  struct pair coarse;
-  struct zero zeros[2];
-  sum->parts = 0;
+  struct ph_piece piece[PH_PIECES_MAX];
+  size_t n;
+  sum->halved = 0;
   if (!is_brisk(seg->w)) {
     if (ph_seg2_stands_still(seg, NULL)) {
       ph_sum_add(&sum->bending, (double)NAN);
@@ -289,20 +245,14 @@ bool ph_energy_add(struct ph_energy_sum *sum, const struct ph_seg2 *seg) {
       return true;
     }
   }
-  if (!(seg->space.angle > 0) && zeros_of(seg->w, zeros)) {
-    add_by_zeros(sum, seg, zeros, 0, 1, 0);
-    return true;
-  }
-  coarse = integrate(seg, &sum->rule[FIRST_RULE], 0, 1);
-  for (size_t i = NEXT_RULE; i <= LAST_RULE; i += NEXT_RULE) {
-    struct pair fine = integrate(seg, &sum->rule[i], 0, 1);
-    if (both_agree(sum, &coarse, &fine)) {
-      accept(sum, &fine);
-      return true;
+  n = ph_pieces_of(seg, piece);
+  for (size_t i = 0; i < n; i++) {
+    if (piece[i].enough) {
+      add_rule(sum, seg, &piece[i]);
+    } else {
+      add_halves(sum, seg, piece[i].from, piece[i].to);
     }
-    coarse = fine;
   }
-  refine(sum, seg, 0, 1, &coarse, 0);
   return true;
 }
 

@@ -12,19 +12,17 @@
 #define PH_CURVE_FAIR_ENERGY_H
 
 #include "base/sum.h"
+#include "curve/fair/pieces.h"
 #include "curve/result.h"
 #include "curve/segment/seg2.h"
 
 #include <stdbool.h>
 
-/* Rules of 4 to 20 nodes. */
-enum { PH_ENERGY_RULES = 6 };
-
 /* The energies of segments that are added one after another. */
 struct ph_energy_sum {
-  struct ph_quad rule[PH_ENERGY_RULES];
+  struct ph_quad rule[PH_PIECE_RULES];
   struct ph_sum bending, varying;
-  size_t parts; /* intervals of the last segment */
+  size_t halved; /* intervals of the last segment */
 };
 
 struct ph_energy {

@@ -16,8 +16,6 @@
 
 #include <math.h>
 
-enum { NODES = 16, PARTS_MAX = 64 };
-
 enum ph_status ph_planar_gradient_alloc(struct ph_planar_gradient *g,
                                         const struct ph_planar_data *d,
                                         struct ph_arena *arena,
@@ -33,7 +31,7 @@ enum ph_status ph_planar_gradient_alloc(struct ph_planar_gradient *g,
   return g->by_w && g->equation && g->by_b && g->adjoint && g->by_y &&
                  g->by_angle && g->by_h &&
                  ph_tri_alloc(&g->tri, arena, unknowns) &&
-                 ph_quad_gauss(&g->rule, NODES)
+                 ph_pieces_rules(g->rule)
              ? PH_OK
              : ph_fail_memory(diag);
 }
@@ -94,30 +92,30 @@ static void add_node(struct ph_planar_gradient *g, size_t k,
 /* Derivatives of segment k's functional, and of its equation, by themselves. */
 static void differentiate(struct ph_planar_gradient *g,
                           const struct ph_planar_data *d, const ph_cplx *b,
-                          size_t k, const double weight[3], size_t parts) {
-  const struct ph_atph *space = ph_planar_space(&d->c2, k);
-  double root = sqrt(d->h[k]);
-  size_t n = 1;
-  ph_cplx w[3];
-  while (parts > 1 && n < 2 * parts && n < PARTS_MAX) {
-    n *= 2;
-  }
-  ph_planar_preimage(&d->c2, b, k, w);
+                          size_t k, const double weight[3]) {
+  struct ph_seg2 seg = {*ph_planar_space(&d->c2, k), {{0, 0}}, {0, 0}, {0, 0}};
+  struct ph_piece piece[PH_PIECES_MAX];
+  const double root = sqrt(d->h[k]);
+  size_t n;
+  ph_planar_preimage(&d->c2, b, k, seg.w);
   for (size_t i = 0; i < 3; i++) {
-    w[i] = ph_cplx_scale(root, w[i]);
+    seg.w[i] = ph_cplx_scale(root, seg.w[i]);
     g->by_w[3 * k + i] = ph_cplx_of(0, 0);
   }
   g->equation[k] = ph_cplx_of(0, 0);
   g->by_angle[k] = g->by_h[k] = 0;
+  n = ph_pieces_of(&seg, piece);
   for (size_t p = 0; p < n; p++) {
-    for (size_t i = 0; i < g->rule.n; i++) {
-      add_node(g, k, space, w, ((double)p + g->rule.node[i]) / (double)n,
-               g->rule.weight[i] / (double)n, weight);
+    const struct ph_quad *rule = &g->rule[piece[p].rule];
+    const double from = piece[p].from, step = piece[p].to - from;
+    for (size_t i = 0; i < rule->n; i++) {
+      add_node(g, k, &seg.space, seg.w, from + step * rule->node[i],
+               step * rule->weight[i], weight);
     }
   }
   g->equation[k] = ph_cplx_scale(1 / d->chord[k], g->equation[k]);
   for (size_t i = 0; i < 3; i++) { /* dW = W/2 dh/h */
-    g->by_h[k] += 0.5 * ph_cplx_mul(g->by_w[3 * k + i], w[i]).re;
+    g->by_h[k] += 0.5 * ph_cplx_mul(g->by_w[3 * k + i], seg.w[i]).re;
     g->by_w[3 * k + i] = ph_cplx_scale(root, g->by_w[3 * k + i]);
   }
 }
@@ -206,10 +204,10 @@ static void add_end(struct ph_planar_gradient *g,
 
 void ph_planar_gradient_of(struct ph_planar_gradient *g,
                            const struct ph_planar_data *d, const ph_cplx *b,
-                           const double weight[3], const size_t *parts) {
+                           const double weight[3]) {
   size_t n = d->n;
   for (size_t k = 0; k < n; k++) {
-    differentiate(g, d, b, k, weight, parts[k]);
+    differentiate(g, d, b, k, weight);
     g->by_y[k] = 0;
   }
   g->by_y[n] = 0;

@@ -77,7 +77,6 @@ struct work {
   struct ph_arena *scratch;
   struct ph_diag *diag;
   struct ph_energy_sum sum;
-  size_t *parts; /* [n] */
   struct ph_planar_gradient gradient;
   ph_cplx *guess;
   double *pivot, *beside; /* [n] of the matrix (1) */
@@ -160,7 +159,6 @@ static void measure(struct work *w) {
     t->part[k] = -ph_sum_value(sum_of(w));
     ph_energy_add(&w->sum, &seg);
     t->part[k] += ph_sum_value(sum_of(w));
-    w->parts[k] = w->sum.parts;
     ph_sum_add(&length, ph_seg2_length(&seg.space, seg.w));
   }
   t->energy[0] = ph_sum_value(&w->sum.bending);
@@ -208,7 +206,11 @@ static enum ph_status solve_trial(struct work *w) {
   if (solved) {
     t->twist = d->c2.twist;
     memcpy(t->h, d->h, d->n * sizeof *t->h);
-    measure(w);
+    if (w->weighted) {
+      t->value = w->now.value; /* of no use: weights are held fixed */
+    } else {
+      measure(w);
+    }
   }
   return status;
 }
@@ -267,7 +269,7 @@ static void gradient(void *context, double *result) {
   if (!w->weighted) {
     weigh(w, w->last);
   }
-  ph_planar_gradient_of(g, d, w->last->b, w->weight, w->parts);
+  ph_planar_gradient_of(g, d, w->last->b, w->weight);
   result[0] = 0;
   for (size_t k = 0; k < d->n; k++) {
     double by_h = d->atph && d->own_knots ? 0 : g->by_h[k];
@@ -324,12 +326,11 @@ static bool candidate_alloc(struct candidate *c, const struct work *w) {
 
 static enum ph_status allocate(struct work *w) {
   w->guess = ph_arena_array(w->scratch, w->unknowns, sizeof *w->guess);
-  w->parts = ph_arena_array(w->scratch, w->data->n, sizeof *w->parts);
   w->pivot = ph_arena_array(w->scratch, w->data->n, sizeof *w->pivot);
   w->beside = ph_arena_array(w->scratch, w->data->n, sizeof *w->beside);
-  if (!w->guess || !w->parts || !w->pivot || !w->beside ||
-      !candidate_alloc(&w->now, w) || !candidate_alloc(&w->trial, w) ||
-      !candidate_alloc(&w->best, w) || !ph_energy_begin(&w->sum)) {
+  if (!w->guess || !w->pivot || !w->beside || !candidate_alloc(&w->now, w) ||
+      !candidate_alloc(&w->trial, w) || !candidate_alloc(&w->best, w) ||
+      !ph_energy_begin(&w->sum)) {
     return ph_fail_memory(w->diag);
   }
   if (ph_box_hessian_alloc(&w->hessian, w->scratch, w->data->n, NEAR)) {

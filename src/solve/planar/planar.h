@@ -5,11 +5,11 @@
 
 #include "base/diag.h"
 #include "base/mem.h"
+#include "curve/fair/pieces.h"
 #include "curve/problem.h"
 #include "curve/result.h"
 #include "kernel/atph.h"
 #include "kernel/cplx.h"
-#include "kernel/quad.h"
 #include "kernel/tri.h"
 #include "solve/planar/c2.h"
 
@@ -162,7 +162,7 @@ int ph_planar_compare_sides(const struct ph_curve *x, const struct ph_curve *y);
 
 struct ph_planar_gradient {
   struct ph_tri tri;
-  struct ph_quad rule;
+  struct ph_quad rule[PH_PIECE_RULES];
   ph_cplx *by_w;     /* [n][3] */
   ph_cplx *equation; /* [n] change of the equations with the angles */
   ph_cplx *by_b;     /* [unknowns] */
@@ -183,12 +183,11 @@ enum ph_status ph_planar_gradient_alloc(struct ph_planar_gradient *g,
  *   weight[0] E + weight[1] MV + weight[2] L  at unit scale.
  *
  * in   b[unknowns]  a solution of the C2 equations
- * in   parts[n]     intervals that its energies were integrated on
  * out  g->by_angle, g->by_h
  */
 void ph_planar_gradient_of(struct ph_planar_gradient *g,
                            const struct ph_planar_data *data, const ph_cplx *b,
-                           const double weight[3], const size_t *parts);
+                           const double weight[3]);
 
 /* ---- least energy -------------------------------------------------------- */
 
