@@ -5,6 +5,7 @@
 #include "check/certify.h"
 #include "check/data.h"
 #include "check/panorama.h"
+#include "check/share.h"
 
 #include <float.h>
 #include <string.h>
@@ -12,6 +13,9 @@
 /* Of unit vectors, and of points in the rounding of coordinates. */
 static const double UNIT = 64 * DBL_EPSILON;
 enum { ROUND = 16, ROUND_ARC = 4 };
+
+/* Strips of a part of a long surface, which take 1 ms. */
+enum { PART = 512 };
 
 /* What a certificate allows: of frames, of the development and of lengths. */
 static const double FRAME = 1e-10, FLAT = 1e-11, LENGTH = 1e-11;
@@ -284,6 +288,26 @@ static void check_flat(struct ph_check_cone *cone, size_t i) {
 
 /* ---- all strips ---------------------------------------------------------- */
 
+static void check_strips(const void *context, struct ph_check *v, size_t first,
+                         size_t n) {
+  struct ph_check_cone cone = *(const struct ph_check_cone *)context;
+  const struct ph_curve *c = cone.curve;
+  cone.v = v;
+  for (size_t i = first; i < n && !ph_arena_late(v->scratch); i++) {
+    const struct ph_check_frame start = ph_check_cone_frame(&cone, i, 0);
+    const struct ph_check_frame end = ph_check_cone_frame(&cone, i, 1);
+    check_frame(&cone, i, &start);
+    check_arc(&cone, i, &start, &end);
+    if (i + 1 < c->n || c->closed) {
+      check_joint(&cone, i, i + 1 < c->n ? i + 1 : 0, &end);
+    }
+    check_flat(&cone, i);
+    if (i > 0) {
+      check_flat_joint(&cone, i);
+    }
+  }
+}
+
 void ph_check_cone_strips(struct ph_check_cone *cone) {
   const struct ph_curve *c = cone->curve;
   cone->flat = 0;
@@ -297,22 +321,7 @@ void ph_check_cone_strips(struct ph_check_cone *cone) {
     }
   }
   cone->flat *= DBL_EPSILON;
-  for (size_t i = 0; i < c->n; i++) {
-    const struct ph_check_frame start = ph_check_cone_frame(cone, i, 0);
-    const struct ph_check_frame end = ph_check_cone_frame(cone, i, 1);
-    if (ph_arena_late(cone->v->scratch)) {
-      return;
-    }
-    check_frame(cone, i, &start);
-    check_arc(cone, i, &start, &end);
-    if (i + 1 < c->n || c->closed) {
-      check_joint(cone, i, i + 1 < c->n ? i + 1 : 0, &end);
-    }
-    check_flat(cone, i);
-    if (i > 0) {
-      check_flat_joint(cone, i);
-    }
-  }
+  ph_check_share(cone->v, c->n, PART, check_strips, cone);
 }
 
 /* ---- the problem --------------------------------------------------------- */
@@ -360,11 +369,27 @@ static void check_element(struct ph_check_cone *cone, size_t i, size_t j,
                 "is off the point that is given, by more than the shift");
 }
 
+/* How many elements there are, for so many pairs. */
+static size_t elements_of(const struct ph_curve *c) {
+  return c->n / 2 + !c->closed;
+}
+
+static void check_pairs(const void *context, struct ph_check *v, size_t first,
+                        size_t n) {
+  struct ph_check_cone cone = *(const struct ph_check_cone *)context;
+  const size_t elements = elements_of(cone.curve);
+  cone.v = v;
+  for (size_t i = first; i < n && !ph_arena_late(v->scratch); i++) {
+    check_element(&cone, 2 * i, i, 0);
+    check_element(&cone, 2 * i + 1, i + 1 < elements ? i + 1 : 0, 1);
+  }
+}
+
 /* interpolation_error, and frames, of the problem. */
 static void check_elements(struct ph_check_cone *cone) {
   const struct ph_problem *p = cone->v->problem;
   const struct ph_curve *c = cone->curve;
-  const size_t pairs = c->n / 2, elements = c->closed ? pairs : pairs + 1;
+  const size_t elements = elements_of(c);
   const struct ph_value *rulings = &p->field[PH_F_RULINGS];
   const struct ph_value *tangents = &p->field[PH_F_TANGENTS];
   const struct ph_value *points = &p->field[PH_F_POINTS];
@@ -379,10 +404,7 @@ static void check_elements(struct ph_check_cone *cone) {
                    "problem");
     return;
   }
-  for (size_t i = 0; i < pairs && !ph_arena_late(cone->v->scratch); i++) {
-    check_element(cone, 2 * i, i, 0);
-    check_element(cone, 2 * i + 1, i + 1 < elements ? i + 1 : 0, 1);
-  }
+  ph_check_share(cone->v, c->n / 2, PART, check_pairs, cone);
 }
 
 /* ---- certificate --------------------------------------------------------- */

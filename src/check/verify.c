@@ -3,11 +3,11 @@
  */
 #include "check/verify.h"
 
-#include "base/team.h"
 #include "check/bubble.h"
 #include "check/checks.h"
 #include "check/cone.h"
 #include "check/data.h"
+#include "check/share.h"
 
 #include <string.h>
 
@@ -93,73 +93,40 @@ static bool check_range(struct ph_check *v, size_t first, size_t end,
   return true;
 }
 
-/* A part of the segments of a long curve, and what is found there. */
-struct part {
-  struct ph_check_segment ends[2];
-  struct ph_check_error error[PH_CHECK_N];
-  enum ph_status status;
-  struct ph_diag diag;
-  int fault; /* as in v, */
-  size_t fault_at;
+/* The segments at both ends of parts of a long curve. */
+struct ends {
+  struct ph_check_segment (*part)[2];
 };
 
-struct parts {
-  const struct ph_check *v;
-  struct part *part;
-};
-
-static bool check_part(void *context, size_t thread, size_t first, size_t end) {
-  const struct parts *parts = context;
-  struct part *part = &parts->part[first / PART];
-  struct ph_check v = *parts->v;
-  struct ph_check_space space = *v.space;
-  struct ph_check_data data = *v.data;
-  bool in_time;
-  (void)thread;
-  *part = (struct part){.status = PH_OK};
-  v.space = &space;
-  v.data = &data;
-  v.error = part->error;
-  v.diag = &part->diag;
-  v.status = PH_OK;
+static void check_part(const void *context, struct ph_check *v, size_t first,
+                       size_t end) {
+  const struct ends *ends = context;
+  struct ph_check_space space = *v->space;
+  struct ph_check_data data = *v->data;
+  v->space = &space;
+  v->data = &data;
   data.i = ph_check_interval(&data, first);
-  in_time = check_range(&v, first, end, part->ends);
-  part->status = v.status;
-  part->fault = v.fault;
-  part->fault_at = v.fault_at;
-  return in_time;
+  check_range(v, first, end, ends->part[first / PART]);
 }
 
 /* Certifies a long curve in parts; what comes out does not depend on who does
  * which.  False: it is to be gone through in one. */
 static bool check_parts(struct ph_check *v) {
   const size_t n = v->curve->n, parts_n = (n + PART - 1) / PART;
-  struct parts parts = {.v = v};
+  struct ends ends = {NULL};
   if (n < 2 * PART || !v->error || !v->data ||
       ph_check_field(v, PH_F_TANGENT_SIGMA)) {
     return false;
   }
-  parts.part = ph_arena_array(v->scratch, parts_n, sizeof *parts.part);
-  if (!parts.part) {
+  ends.part = ph_arena_array(v->scratch, parts_n, sizeof *ends.part);
+  if (!ends.part) {
     return false;
   }
-  ph_team_share(v->scratch, n, 2 * PART, PART, check_part, &parts);
+  ph_check_share(v, n, PART, check_part, &ends);
   for (size_t i = 0; i < parts_n && !ph_arena_late(v->scratch); i++) {
-    const struct part *part = &parts.part[i];
-    const struct part *next = &parts.part[i + 1 < parts_n ? i + 1 : 0];
-    for (size_t k = 0; k < PH_CHECK_N; k++) {
-      ph_check_join(&v->error[k], &part->error[k]);
-    }
-    if (part->status != PH_OK) {
-      v->status = part->status;
-      *v->diag = part->diag;
-    }
-    if (!v->fault) {
-      v->fault = part->fault;
-      v->fault_at = part->fault_at;
-    }
-    if (next > part || v->curve->closed) {
-      ph_check_joint(v, &part->ends[1], &next->ends[0]);
+    const size_t next = i + 1 < parts_n ? i + 1 : 0;
+    if (next > i || v->curve->closed) {
+      ph_check_joint(v, &ends.part[i][1], &ends.part[next][0]);
     }
   }
   return true;

@@ -286,3 +286,25 @@ same 'on a sphere, a sweep' 1 -S model=exact,nielson -S epsilon=0.01,0.1 \
   some-sphere.jsonl
 same 'on a sphere, a table' 1 -f csv --table=offsets -d 0.01 --strict -q \
   some-sphere.jsonl
+
+# ---- contact elements --------------------------------------------------------
+
+# a strip that winds up; two legs of arcs that it has not
+awk -v n=$((lines * 2)) 'BEGIN {
+  print "x,y,z,rx,ry,rz,tx,ty,tz"
+  for (i = 0; i < n; i++) {
+    t = i / 10
+    w = 0.3 * sin(0.37 * t)
+    printf "%.12f,%.12f,%.12f,%.12f,%.12f,%.12f,%.12f,%.12f,0\n", cos(t), sin(t),
+      1e-5 * t, -w * cos(t), -w * sin(t), sqrt(1 - w * w), -sin(t), cos(t)
+  }
+}' >strip.csv
+legs=$(awk -v n=$((lines * 2 - 1)) 'BEGIN {
+  for (i = 0; i < n; i++)
+    printf "%s%s", i ? "," : "", (i % 1000 == 999 && i >= 1999) ? 9 : 0.05
+}')
+method=cone
+same 'a long surface' 0 -q strip.csv
+same 'a long surface that is refused' 1 --lambda="[$legs]" strip.csv
+true_that 'a long surface that is refused: by its certificate' \
+  grep -q 'strips\[[0-9]*\]: is refused by its certificate' err

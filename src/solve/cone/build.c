@@ -3,6 +3,7 @@
  * Pairs into a surface (see cone.h): the record's strips, their development one
  * after the other, length and area, and what is told of them.
  */
+#include "base/team.h"
 #include "curve/surface/area.h"
 #include "curve/surface/strip.h"
 #include "solve/cone/cone.h"
@@ -11,6 +12,9 @@
 
 /* A contact point so many times the distance of both away is told. */
 static const double FAR = 3;
+
+/* Pairs that a thread takes at a time, in 0.5 ms. */
+enum { PART = 256 };
 
 /* What is counted for a warning, and the first place where it is. */
 struct count {
@@ -206,6 +210,67 @@ static void finish(struct builder *b, struct ph_result *result) {
   ph_cone_see_folds(b->inside.n > 0, result);
 }
 
+/* A part of the pairs: what is seen of them, and the first that has no cones.
+ */
+struct part {
+  struct builder b;
+  enum ph_cone_reason reason;
+  size_t failed;
+};
+
+struct parts {
+  const struct builder *b;
+  const struct ph_arena *arena;
+  struct part *part;
+};
+
+static bool add_part(void *context, size_t thread, size_t first, size_t end) {
+  const struct parts *parts = context;
+  const struct ph_cone_data *data = parts->b->data;
+  struct part *part = &parts->part[first / PART];
+  (void)thread;
+  *part = (struct part){.b = *parts->b, .reason = PH_CONE_OK};
+  for (size_t i = first; i < end && !ph_arena_late(parts->arena); i++) {
+    const double lambda = data->lambda ? data->lambda[i] : (double)NAN;
+    struct ph_cone_pair pair;
+    part->reason =
+        ph_cone_pair(ph_cone_element(data, i), ph_cone_element(data, i + 1),
+                     lambda, data->degenerate, &pair);
+    if (part->reason != PH_CONE_OK) {
+      part->failed = i;
+      return false;
+    }
+    add_pair(&part->b, i, &pair);
+  }
+  return true;
+}
+
+static enum ph_status add_pairs(struct builder *b, struct ph_arena *arena,
+                                struct ph_diag *diag) {
+  const size_t n = b->data->n, parts_n = (n + PART - 1) / PART;
+  struct parts parts = {b, arena,
+                        ph_arena_array(arena, parts_n, sizeof *parts.part)};
+  if (!parts.part) {
+    return ph_fail_memory(diag);
+  }
+  ph_team_share(arena, n, 2 * PART, PART, add_part, &parts);
+  if (ph_arena_late(arena)) {
+    return ph_fail_memory(diag);
+  }
+  for (size_t i = 0; i < parts_n; i++) {
+    const struct part *part = &parts.part[i];
+    if (part->reason != PH_CONE_OK) {
+      return ph_fail_at(diag, PH_E_INFEASIBLE, "pairs", part->failed, "%s",
+                        ph_cone_reason_text(part->reason));
+    }
+    b->residual = fmax(b->residual, part->b.residual);
+    b->farthest = fmax(b->farthest, part->b.farthest);
+    b->far.first = b->far.n ? b->far.first : part->b.far.first;
+    b->far.n += part->b.far.n;
+  }
+  return PH_OK;
+}
+
 enum ph_status ph_cone_build(const struct ph_cone_data *data,
                              struct ph_arena *arena, struct ph_result *result,
                              struct ph_diag *diag) {
@@ -214,21 +279,8 @@ enum ph_status ph_cone_build(const struct ph_cone_data *data,
                       .to_curvature = ph_pow2_of(data->exponent),
                       .curve = &result->curve};
   enum ph_status status = begin(&b, arena, diag);
-  for (size_t i = 0; status == PH_OK && i < data->n; i++) {
-    const double lambda = data->lambda ? data->lambda[i] : (double)NAN;
-    struct ph_cone_pair pair;
-    enum ph_cone_reason reason;
-    if (ph_arena_late(arena)) {
-      return ph_fail_memory(diag);
-    }
-    reason =
-        ph_cone_pair(ph_cone_element(data, i), ph_cone_element(data, i + 1),
-                     lambda, data->degenerate, &pair);
-    if (reason != PH_CONE_OK) {
-      return ph_fail_at(diag, PH_E_INFEASIBLE, "pairs", i, "%s",
-                        ph_cone_reason_text(reason));
-    }
-    add_pair(&b, i, &pair);
+  if (status == PH_OK) {
+    status = add_pairs(&b, arena, diag);
   }
   if (status == PH_OK) {
     finish(&b, result);
