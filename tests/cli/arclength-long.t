@@ -79,6 +79,10 @@ done
 family 'walks, free, 300' walk 300 0 0
 get diagnostics.iterations | tr ' ' '\n' |
   holds 'walks, free, 300: steps' 'x[1] < 100 && x[n] < 100'
+# What nearly holds after the steps of a start goes on.
+family 'cables, 200' smooth 200 1.01 0.02
+equal 'cables, 200: the start' '"wiggle"' \
+  "$(get diagnostics.start | tr ' ' '\n' | sort -u)"
 family 'walks, 150' walk 150 1.2 0.4
 family 'smooth, free' smooth 150 0 0
 family 'cables, measured' smooth 150 1.01 0.02 ',"length_sigma":0.01'

@@ -22,6 +22,9 @@ enum { STEPS_ALL = 1500 };
 enum { ROUGH_STEPS = 250 };
 static const double RHO_MAX = 1e8, INNER_F = 1e-8, ROUGH = 0.3;
 
+/* Residuals of a curve that is good enough to begin with, or to go on from. */
+static const double NEAR = 1e-3;
+
 /* Rows that hold to this are those of a curve near a minimum. */
 static const double HELD = 1e-7;
 
@@ -36,9 +39,6 @@ static const double F_FLOOR = 1e-12;
  * those of dense data; in standard deviations, of lengths that were measured.
  */
 static const double NATURAL = 1e-3, NATURAL_SIGMAS = 3;
-
-/* Residuals of a natural curve that is good enough to begin with. */
-static const double NEAR = 1e-3;
 
 /* Where the iteration of a start begins. */
 enum origin {
@@ -195,12 +195,16 @@ static bool iterate(struct engine *e, double rho, size_t steps) {
   return true;
 }
 
-/* Where Newton's method crept, with one shift for the whole curve, windows go
+/* Where Newton's method ended with rows that nearly hold, as of many intervals,
+ * it goes on.  Where it crept, with one shift for the whole curve, windows go
  * on from there with the multipliers that it found.  Where rows do not hold yet
- * the curve is far from its minimum, and a new start finds a lower one.
- * false: no memory */
+ * the curve is far from its minimum, and a new start finds a lower one. false:
+ * no memory */
 static bool go_on(struct engine *e, double rho) {
   struct ph_arc_point *p = &e->point;
+  if (!p->converged && p->residual <= NEAR) {
+    ph_arc_newton_solve(e->s, &e->work, STEPS - STEPS_FIRST, p);
+  }
   if (p->converged || !(p->residual <= HELD)) {
     return true;
   }
