@@ -148,12 +148,13 @@ static double chord_of(double error) {
 }
 
 /* Adds d e; derivatives of e are as uncertain as the direction of r', more so
- * where it changes fast. */
+ * where it changes fast.  Where that is not known, nor is how fast. */
 static void displace(const struct ph_check_path *path, double u,
                      const ph_vec3 *r, struct motion *m,
                      struct ph_check_local *local) {
   double d = path->distance, speed = ph_vec3_abs(r[0]), factorial = 1;
-  double error = fabs(d) * (m->error[0] / speed + PARAMETER);
+  bool known = m->error[0] < PH_CHECK_NO_DIRECTION * speed;
+  double error = known ? fabs(d) * (m->error[0] / speed + PARAMETER) : HUGE_VAL;
   double fast =
       NEXT + 2 * ph_vec3_abs(r[1]) / speed + sqrt(ph_vec3_abs(r[2]) / speed);
   ph_vec3 e[N];

@@ -484,6 +484,26 @@ echo '{"points":[[0,0,0],[0,3e-102,1e-102]],"angles":[[-1.1,-1.9]]}' >tiny
 made spatial-hermite --offset=2 --chord-error=0.06 <tiny
 verified 'an offset much farther than the curve is long' 1 --problems=tiny
 
+# ... and where control points know no direction, which is 1e7 from the origin,
+# the preimage does
+cat >tiny <<'EOF'
+{"points":[[11331581.409307793,2119563.5016255705],
+[11331582.109548295,2119563.4189463635],[11331582.779313032,2119563.339865509],
+[11331581.888970206,2119563.444990589],[11331583.582543353,2119563.245026028]],
+"mode":"g1","tangents":[[0.9931014789019631,-0.11725805986256937],
+[0.993101478900852,-0.11725805987197935],
+[-0.9931014789672994,0.11725805930921207],
+[0.9931014789103563,-0.11725805979148378],
+[0.9931014789135547,-0.11725805976439535]]}
+EOF
+made tc --offset=-0.097 --chord-error=0.028 <tiny
+verified 'an offset that turns where the curve goes back' 1 --problems=tiny
+jq -c '.offsets[0].samples[26:][].s += 0.01 | .offsets[0].length += 0.01' r \
+  >wrong.json
+run verify -q --problems=tiny wrong.json
+equal 'such an offset, too long' '"sample_error" 1' \
+  "$(jq -c .worst.check out) $status"
+
 # ... and are in order to that
 cat >tiny <<'EOF'
 {"points":[[0,0],[1.528783899379346e-119,-8.645255325772053e-120],
