@@ -427,7 +427,7 @@ tsan-run: tests-build
 # what reads and writes texts.
 VALGRIND_UNIT = $(filter-out $(addprefix $(B)/tests/,prop/% unit/kernel/% \
 	unit/curve/% unit/solve/% unit/check/%),$(UNIT_WANTED))
-valgrind: ## smoke.t, data/ and unit tests of input and output under valgrind
+valgrind: ## smoke.t, data/, growth, units of input and output under valgrind
 	$(need)
 	$(call may_need,test valgrind $(PLOT))
 	$(SUBMAKE) valgrind-run
@@ -435,7 +435,8 @@ valgrind-run: all $(TOOLS) $(filter-out --%,$(VALGRIND_UNIT))
 	@printf '#!/bin/sh\nexec %s "%s" "$$@"\n' '$(VALGRIND)' \
 	  '$(CURDIR)/$(PROGRAM)' >$(PROGRAM).valgrind && chmod +x $(PROGRAM).valgrind
 	@CK_FORK=no PH_SHORT=1 PH_WRAP='$(VALGRIND)' PHSPLINE=$(PROGRAM).valgrind $(RUN) \
-	  $(addprefix $(S),tests/valgrind/data.t $(filter %/smoke.t,$(CLI_TESTS))) \
+	  $(addprefix $(S),tests/valgrind/data.t tests/valgrind/growth.t \
+	  $(filter %/smoke.t,$(CLI_TESTS))) \
 	  $(VALGRIND_UNIT)
 
 coverage: ## the tests, then the lines of each source file they executed

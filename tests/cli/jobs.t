@@ -148,11 +148,11 @@ same 'offsets of a long walk, as a table' 0 -q -f csv --table=offsets -d 0.01 \
   walk.csv
 same 'lengths of a long walk, as a table' 0 -q -f csv --table=lengths walk.csv
 same 'a drawing of a long walk' 0 -q -f svg-path walk.csv
+walk 5 "$lines" >walk.csv
 same 'a drawing of its offset' 0 -q -f svg-path -d 0.1 walk.csv
 for rule in --sample=2 --spacing=0.3 --spacing=1e3 --at=1,9,900,1500; do
   same "samples of a long walk, $rule" 0 -q --fields=samples $rule walk.csv
 done
-walk 5 "$lines" >walk.csv
 same 'samples that take too much memory' 1 --spacing=0.01 \
   --max-memory=$((lines * 2000)) walk.csv
 true_that 'samples that take too much memory: it is told' \
