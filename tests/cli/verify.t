@@ -446,6 +446,18 @@ run verify -q --problems=wide wrong.json
 equal 'a sphere, the other side of it' '"sample_error" 1' \
   "$(jq -c .worst.check out) $status"
 
+# ... also of a Bezier curve, at a joint
+cat >wide <<'EOF'
+{"points":[[0,0,0],[0,0,-40],[-300,300,0]],"closed":true,"basis":"atph",
+"alpha":2e-9,"derivatives":[[0,0,-0.003],[0,-2000,0],[0,0,0.03]]}
+EOF
+made spatial-hermite --sample=5 --convert=bezier <wide
+verified 'a Bezier curve that all but stands still' 1 --problems=wide
+jq -c '.samples[-1].tangent = [0.5,-0.5,-0.7071067811865476]' r >wrong.json
+run verify -q --problems=wide wrong.json
+equal 'a Bezier curve, between two directions' '"sample_error" 1' \
+  "$(jq -c .worst.check out) $status"
+
 # a distance below rounding, where the curve stands still
 echo '{"points":[[139616.222,-95049.963],[139616.222,-95049.9628]],
 "end_derivatives":[[0,-0.000004],[0,-1e-7]]}' >still

@@ -29,6 +29,8 @@ enum { LOOKS = 33, AXES = 9 };
 static const double TOLERANCE = 1e-14;
 /* What is less than this of its terms is their rounding. */
 static const double ROUNDING = 64 * DBL_EPSILON;
+/* The same of r' alone, whose direction is known before the curvature is. */
+static const double REST = 2 * DBL_EPSILON;
 
 /* ---- derivatives --------------------------------------------------------- */
 
@@ -109,15 +111,15 @@ static double speed_at(const void *context, double u) {
   return ph_vec3_abs(jet[1]);
 }
 
-/* The direction of r', of r'' or r''' where r' is 0; against r'' at the end of
- * the segment, where r' = -(1 - u) r''. */
-static ph_vec3 direction_of(const ph_vec3 jet[ORDERS], double least, double u) {
-  size_t i = 1;
-  double sign;
-  while (i < ORDERS - 1 && !(ph_vec3_abs(jet[i]) > least)) {
-    i++;
-  }
-  sign = i == 2 && !(u < 1) ? -1 : 1;
+/* The direction of r', of r'' or r''' where r' is 0; against r'' before that,
+ * as at the end of the segment, where r' = -(1 - u) r''. */
+static ph_vec3 direction_of(const struct bezier *b, const ph_vec3 jet[ORDERS],
+                            double u) {
+  const bool back = u > 0 && (u >= 1 || ph_vec3_dot(jet[1], jet[2]) < 0);
+  const size_t i = ph_vec3_abs(jet[1]) > REST * b->polygon       ? 1
+                   : ph_vec3_abs(jet[2]) > ROUNDING * b->polygon ? 2
+                                                                 : 3;
+  const double sign = i == 2 && back ? -1 : 1;
   return ph_vec3_scale(sign / ph_vec3_abs(jet[i]), jet[i]);
 }
 
@@ -126,7 +128,7 @@ static ph_vec3 direction_of(const ph_vec3 jet[ORDERS], double least, double u) {
 static ph_vec3 tangent_at(const struct bezier *b, double u) {
   ph_vec3 jet[ORDERS];
   jet_at(b, u, jet);
-  return direction_of(jet, ROUNDING * b->polygon, u);
+  return direction_of(b, jet, u);
 }
 
 /* ---- the sampler --------------------------------------------------------- */
@@ -222,7 +224,7 @@ static struct ph_sample at(const struct ph_sampler *sampler, double u) {
   sample.point = ph_vec3_of(ph_pow2_apply(state->grow, jet[0].x),
                             ph_pow2_apply(state->grow, jet[0].y),
                             ph_pow2_apply(state->grow, jet[0].z));
-  sample.tangent = direction_of(jet, least, u);
+  sample.tangent = direction_of(&state->b, jet, u);
   sample.curvature = sample.torsion = (double)NAN;
   speed = ph_vec3_abs(jet[1]);
   if (speed > least) {
