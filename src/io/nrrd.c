@@ -1,5 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Volumes by teem (see nrrd.h). */
+/*
+ * Volumes by teem (see nrrd.h).
+ *
+ * To load it takes as long as to load all other libraries, and few runs need
+ * it: where PH_TEEM_NAME says what the shared library is called, it is loaded
+ * when it is asked, and what is used of it is found by name.
+ */
 #include "io/nrrd.h"
 
 #ifdef PH_TEEM
@@ -9,6 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <dlfcn.h>
 #include <teem/nrrd.h>
 
 /* A matrix of columns this near to one another has no inverse, relative. */
@@ -16,14 +23,78 @@ static const double SINGULAR = 1e-9;
 
 enum { WHITE = 65535 };
 
+/* ---- the library --------------------------------------------------------- */
+
+/* What is used of it. */
+#define TEEM(X)             \
+  X(biffGetDone)            \
+  X(nrrdAxisInfoSet_va)     \
+  X(nrrdBiffKey)            \
+  X(nrrdEncodingRaw)        \
+  X(nrrdFormatNRRD)         \
+  X(nrrdFormatPNG)          \
+  X(nrrdIoStateEncodingSet) \
+  X(nrrdIoStateFormatSet)   \
+  X(nrrdIoStateNew)         \
+  X(nrrdIoStateNix)         \
+  X(nrrdIoStateSet)         \
+  X(nrrdLoad)               \
+  X(nrrdNew)                \
+  X(nrrdNix)                \
+  X(nrrdNuke)               \
+  X(nrrdSpaceDimensionSet)  \
+  X(nrrdSpaceOriginSet)     \
+  X(nrrdTypeSize)           \
+  X(nrrdWrap_va)            \
+  X(nrrdWrite)
+
+/* Where each of them is. */
+struct teem {
+#define MEMBER(name) __typeof__(&(name)) name;
+  TEEM(MEMBER)
+#undef MEMBER
+};
+
+#ifdef PH_TEEM_NAME
+
+static bool find(void *library, const char *name, void *place) {
+  void *found = dlsym(library, name);
+  memcpy(place, &found, sizeof found);
+  return found;
+}
+
+/* The library stays where it is until the program ends. */
+static enum ph_status load_teem(struct teem *teem, struct ph_diag *diag) {
+  void *library = dlopen(PH_TEEM_NAME, RTLD_NOW | RTLD_LOCAL);
+  bool all = library;
+#define FIND(name) all = all && find(library, #name, &teem->name);
+  TEEM(FIND)
+#undef FIND
+  return all ? PH_OK
+             : ph_fail(diag, PH_E_INPUT, NULL,
+                       "volumes need the library teem: %s", dlerror());
+}
+
+#else
+
+static enum ph_status load_teem(struct teem *teem, struct ph_diag *diag) {
+  (void)diag;
+#define FIND(name) teem->name = &(name);
+  TEEM(FIND)
+#undef FIND
+  return PH_OK;
+}
+
+#endif
+
 bool ph_nrrd_can(void) {
   return true;
 }
 
 /* What teem says, the last of its lines. */
-static enum ph_status failed(const char *what, enum ph_status status,
-                             struct ph_diag *diag) {
-  char *said = biffGetDone(NRRD), *line, *sign;
+static enum ph_status failed(const struct teem *teem, const char *what,
+                             enum ph_status status, struct ph_diag *diag) {
+  char *said = teem->biffGetDone(*teem->nrrdBiffKey), *line, *sign;
   size_t n = said ? strlen(said) : 0;
   while (n > 0 && said[n - 1] == '\n') {
     said[--n] = '\0';
@@ -125,45 +196,54 @@ static const char *fault_of(const Nrrd *nrrd, struct ph_volume *volume) {
                "on the others";
 }
 
-static enum ph_status load(const char *file, Nrrd *nrrd, NrrdIoState *state,
-                           size_t most, struct ph_volume *volume,
-                           struct ph_diag *diag) {
+static enum ph_status load(const struct teem *teem, const char *file,
+                           Nrrd *nrrd, NrrdIoState *state, size_t most,
+                           struct ph_volume *volume, struct ph_diag *diag) {
   const char *fault;
   double bytes;
   char what[300];
   snprintf(what, sizeof what, "cannot read the volume %.200s", file);
-  nrrdIoStateSet(state, nrrdIoStateSkipData, AIR_TRUE);
-  if (nrrdLoad(nrrd, file, state)) {
-    return failed(what, PH_E_INPUT, diag);
+  teem->nrrdIoStateSet(state, nrrdIoStateSkipData, AIR_TRUE);
+  if (teem->nrrdLoad(nrrd, file, state)) {
+    return failed(teem, what, PH_E_INPUT, diag);
   }
   fault = fault_of(nrrd, volume);
   if (fault) {
     return ph_fail(diag, PH_E_INPUT, NULL, "%s: it %s", what, fault);
   }
   bytes = (double)volume->n[0] * (double)volume->n[1] * (double)volume->n[2] *
-          (double)nrrdTypeSize[nrrd->type];
+          (double)(*teem->nrrdTypeSize)[nrrd->type];
   if (!(bytes <= (double)most)) {
     return ph_fail(diag, PH_E_INPUT, NULL,
                    "%s: it takes %.0f bytes, more than the %zu of --max-memory",
                    what, bytes, most);
   }
-  nrrdIoStateSet(state, nrrdIoStateSkipData, AIR_FALSE);
-  return nrrdLoad(nrrd, file, NULL) ? failed(what, PH_E_INPUT, diag) : PH_OK;
+  teem->nrrdIoStateSet(state, nrrdIoStateSkipData, AIR_FALSE);
+  return teem->nrrdLoad(nrrd, file, NULL) ? failed(teem, what, PH_E_INPUT, diag)
+                                          : PH_OK;
+}
+
+static enum ph_status read_by(const struct teem *teem, const char *file,
+                              size_t most, struct ph_volume *volume,
+                              struct ph_diag *diag) {
+  Nrrd *nrrd = teem->nrrdNew();
+  NrrdIoState *state = teem->nrrdIoStateNew();
+  enum ph_status status = load(teem, file, nrrd, state, most, volume, diag);
+  if (status == PH_OK) {
+    volume->v = nrrd->data;
+    teem->nrrdNix(nrrd);
+  } else {
+    teem->nrrdNuke(nrrd);
+  }
+  teem->nrrdIoStateNix(state);
+  return status;
 }
 
 enum ph_status ph_nrrd_read(const char *file, size_t most,
                             struct ph_volume *volume, struct ph_diag *diag) {
-  Nrrd *nrrd = nrrdNew();
-  NrrdIoState *state = nrrdIoStateNew();
-  enum ph_status status = load(file, nrrd, state, most, volume, diag);
-  if (status == PH_OK) {
-    volume->v = nrrd->data;
-    nrrdNix(nrrd);
-  } else {
-    nrrdNuke(nrrd);
-  }
-  nrrdIoStateNix(state);
-  return status;
+  struct teem teem;
+  enum ph_status status = load_teem(&teem, diag);
+  return status == PH_OK ? read_by(&teem, file, most, volume, diag) : status;
 }
 
 void ph_nrrd_free(struct ph_volume *volume) {
@@ -195,45 +275,50 @@ static void *values(const struct ph_panorama *p, double fill, bool png) {
 }
 
 /* Where the points of the panorama are in the plane. */
-static bool describe(const struct ph_panorama *p, Nrrd *nrrd) {
+static bool describe(const struct teem *teem, const struct ph_panorama *p,
+                     Nrrd *nrrd) {
   const double step = 1 / p->resolution;
   const double right[NRRD_SPACE_DIM_MAX] = {step, 0};
   const double down[NRRD_SPACE_DIM_MAX] = {0, -step};
   double origin[NRRD_SPACE_DIM_MAX] = {p->origin[0], p->origin[1]};
-  if (nrrdSpaceDimensionSet(nrrd, 2) || nrrdSpaceOriginSet(nrrd, origin)) {
+  if (teem->nrrdSpaceDimensionSet(nrrd, 2) ||
+      teem->nrrdSpaceOriginSet(nrrd, origin)) {
     return false;
   }
-  nrrdAxisInfoSet_va(nrrd, nrrdAxisInfoSpaceDirection, right, down);
+  teem->nrrdAxisInfoSet_va(nrrd, nrrdAxisInfoSpaceDirection, right, down);
   return true;
 }
 
-static bool encode(Nrrd *nrrd, const struct ph_panorama *p, void *data,
-                   bool png, FILE *file) {
-  NrrdIoState *state = nrrdIoStateNew();
+static bool encode(const struct teem *teem, Nrrd *nrrd,
+                   const struct ph_panorama *p, void *data, bool png,
+                   FILE *file) {
+  NrrdIoState *state = teem->nrrdIoStateNew();
   bool ok =
-      !nrrdWrap_va(nrrd, data, png ? nrrdTypeUShort : nrrdTypeDouble, 2,
-                   p->width, p->height) &&
-      (png || describe(p, nrrd)) &&
-      !nrrdIoStateFormatSet(state, png ? nrrdFormatPNG : nrrdFormatNRRD) &&
-      !nrrdIoStateEncodingSet(state, nrrdEncodingRaw) &&
-      !nrrdWrite(file, nrrd, state);
-  nrrdIoStateNix(state);
+      !teem->nrrdWrap_va(nrrd, data, png ? nrrdTypeUShort : nrrdTypeDouble, 2,
+                         p->width, p->height) &&
+      (png || describe(teem, p, nrrd)) &&
+      !teem->nrrdIoStateFormatSet(state, png ? *teem->nrrdFormatPNG
+                                             : *teem->nrrdFormatNRRD) &&
+      !teem->nrrdIoStateEncodingSet(state, *teem->nrrdEncodingRaw) &&
+      !teem->nrrdWrite(file, nrrd, state);
+  teem->nrrdIoStateNix(state);
   return ok;
 }
 
-enum ph_status ph_nrrd_write(const struct ph_panorama *panorama, double fill,
-                             bool png, struct ph_buf *to,
-                             struct ph_diag *diag) {
+static enum ph_status write_by(const struct teem *teem,
+                               const struct ph_panorama *panorama, double fill,
+                               bool png, struct ph_buf *to,
+                               struct ph_diag *diag) {
   void *data = values(panorama, fill, png);
   char *bytes = NULL;
   size_t n = 0;
   FILE *file = open_memstream(&bytes, &n);
-  Nrrd *nrrd = nrrdNew();
+  Nrrd *nrrd = teem->nrrdNew();
   enum ph_status status = PH_OK;
   if (!data || !file) {
     status = ph_fail_memory(diag);
-  } else if (!encode(nrrd, panorama, data, png, file)) {
-    status = failed("cannot write the panorama", PH_E_OUTPUT, diag);
+  } else if (!encode(teem, nrrd, panorama, data, png, file)) {
+    status = failed(teem, "cannot write the panorama", PH_E_OUTPUT, diag);
   }
   if (file && fclose(file) != 0 && status == PH_OK) {
     status = ph_fail_memory(diag);
@@ -241,10 +326,19 @@ enum ph_status ph_nrrd_write(const struct ph_panorama *panorama, double fill,
   if (status == PH_OK) {
     ph_buf_put(to, bytes, n);
   }
-  nrrdNix(nrrd);
+  teem->nrrdNix(nrrd);
   free(bytes);
   free(data);
   return status == PH_OK && to->failed ? ph_fail_memory(diag) : status;
+}
+
+enum ph_status ph_nrrd_write(const struct ph_panorama *panorama, double fill,
+                             bool png, struct ph_buf *to,
+                             struct ph_diag *diag) {
+  struct teem teem;
+  enum ph_status status = load_teem(&teem, diag);
+  return status == PH_OK ? write_by(&teem, panorama, fill, png, to, diag)
+                         : status;
 }
 
 #endif

@@ -55,6 +55,22 @@ exact() {
 
 lattice "3 * (i - 1) - 2 * (j - 2) + 0.5 * (k - 1) + 7" 'spacings: 1 1 1' \
   'axis mins: -1 -2 -1' 'centerings: node node node' >linear.nrrd
+
+# teem is loaded for volumes alone, and it is told where it cannot be
+name=$(grep -ao 'libteem[.][.a-z0-9]*' "$PHSPLINE" | head -n 1)
+if [ -n "$name" ]; then
+  mkdir broken
+  : >"broken/$name"
+  true_that 'no volume, no teem' env LD_LIBRARY_PATH="$PWD/broken" \
+    "$PHSPLINE" cone -q part.json
+  status=0
+  LD_LIBRARY_PATH=$PWD/broken "$PHSPLINE" cone -q --volume=linear.nrrd \
+    --panorama=out.nrrd --resolution=20 part.json >out 2>err || status=$?
+  true_that 'a teem that cannot be loaded' \
+    grep -q '^phspline: volumes need the library teem: .*libteem' err
+  equal 'its exit status' "$status" 3
+fi
+
 run cone -q --volume=linear.nrrd --panorama=out.nrrd --resolution=20 --fill=-9 \
   part.json
 expect 'a linear volume' 0
