@@ -103,10 +103,14 @@ static void check_part(const void *context, struct ph_check *v, size_t first,
   const struct ends *ends = context;
   struct ph_check_space space = *v->space;
   struct ph_check_data data = *v->data;
-  v->space = &space;
-  v->data = &data;
+  struct ph_check part = *v;
+  part.space = &space;
+  part.data = &data;
   data.i = ph_check_interval(&data, first);
-  check_range(v, first, end, ends->part[first / PART]);
+  check_range(&part, first, end, ends->part[first / PART]);
+  part.space = v->space;
+  part.data = v->data;
+  *v = part;
 }
 
 /* Certifies a long curve in parts; what comes out does not depend on who does

@@ -372,7 +372,8 @@ static void put_piece(const struct target *target, const struct piece *piece,
     p[2 * j + 1] = ph_pow2_apply(target->grow, piece->c[j].im);
   }
   if (piece->meets) {
-    memcpy(p, p - 2, 2 * sizeof *p);
+    p[0] = p[-2];
+    p[1] = p[-1];
   }
 }
 
