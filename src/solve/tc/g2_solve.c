@@ -9,10 +9,12 @@
 #include <math.h>
 #include <string.h>
 
-/* Residuals of no more are none; those that do not fall any more are rounding
- * below this, or so many times what rounding of the angles makes of them, if
- * the step is as small as this. */
+/* Residuals of no more are none; those that do not fall any more, or by less
+ * than Newton's method makes them fall near a solution, are rounding below
+ * this, or so many times what rounding of the angles makes of them, if the step
+ * is as small as this. */
 static const double DONE = 4e-13, ROUNDING = 1e-8, ANGLES = 8, TINY_STEP = 1e-5;
+static const double FALLS = 0.5;
 
 /* No unknown changes by more in a step. */
 static const double STEP_MAX = 4;
@@ -114,7 +116,9 @@ static bool newton(struct ph_g2_system *s, size_t most, size_t halvings,
     return false;
   }
   for (size_t i = 0; i < most && !ph_arena_late(arena); i++) {
+    const double before = s->now.norm2;
     double largest;
+    bool fell;
     if (s->now.largest < DONE) {
       return true;
     }
@@ -123,8 +127,13 @@ static bool newton(struct ph_g2_system *s, size_t most, size_t halvings,
     if (!isfinite(largest)) {
       return false;
     }
-    if (!descend(s, largest, halvings)) {
-      return largest < TINY_STEP && is_rounding(s);
+    fell = descend(s, largest, halvings);
+    if (!(fell && s->now.norm2 < FALLS * FALLS * before) &&
+        largest < TINY_STEP && is_rounding(s)) {
+      return true;
+    }
+    if (!fell) {
+      return false;
     }
   }
   return s->now.largest < DONE;
