@@ -196,13 +196,14 @@ static void curvatures(const struct ph_check_path *path, struct motion *m,
   ph_vec3 turn = ph_vec3_cross(m->jet[0], m->jet[1]);
   double area = ph_vec3_abs(turn);
   double error = speed * m->error[1] + second * m->error[0];
+  double slower = 1 - 2 * m->error[0] / speed; /* a quotient by a speed^3 */
   local->speed = speed / scale;
   local->tangent = ph_vec3_scale(1 / speed, m->jet[0]);
   local->tangent_error = m->error[0] / speed;
   local->curvature =
       (path->v->curve->dimension == 2 ? turn.z : area) / (square * speed);
-  local->curvature_error =
-      (m->error[1] + 4 * second * local->tangent_error) / square;
+  local->curvature_error = (m->error[1] + 4 * second * local->tangent_error) /
+                           (square * slower * slower * slower);
   local->flat = error / area;
   local->torsion = ph_vec3_dot(turn, m->jet[2]) / (area * area);
   local->torsion_error =
@@ -287,13 +288,13 @@ struct ph_check_local ph_check_great_local(const struct ph_check_path *path,
   top = cos(d) * turn + sin(d) * speed;
   bottom = local.speed / s->radius;
   local.curvature = top / (bottom * s->radius);
-  local.curvature_error =
-      (error + next + fabs(top) * down / bottom) / (bottom * s->radius);
+  local.curvature_error = (error + next + fabs(top) * down / bottom) /
+                          ((bottom - 2 * down) * s->radius);
   return local;
 }
 
-/* Errors are those of the first order: where a speed may vanish they say
- * nothing, and where r' x r'' may, nothing of the torsion. */
+/* Where a speed may vanish errors say nothing, and where r' x r'' may, nothing
+ * of the torsion, whose error is that of the first order. */
 struct ph_check_local ph_check_local_at(const struct ph_check_path *path,
                                         double u) {
   struct ph_check_local local = path->s->kind->local(path, u);

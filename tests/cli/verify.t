@@ -529,6 +529,23 @@ run verify -q --problems=tiny wrong.json
 equal 'a far offset, not in order' '"sample_error" 1' \
   "$(jq -c .worst.check out) $status"
 
+# beside a cusp of an offset its curvature, 1 over its speed, is known to half of
+# itself
+cat >cusp <<'EOF'
+{"points":[[1,0,0],[-0.47722009728319736,0.878783806603772,0],
+[0.5075476507628824,-0.8598282039764129,-0.05559534019839577],
+[-0.5481045192920169,0.8345675012885473,0.055484427767238255]],
+"knots":[-4.987754839409176,-4.9858091994007605,-4.300348013649319,
+-4.245530676621145],"tension":[32.84512400805856,1.3820853593480869,50.3,17.34],
+"increase":"minimal"}
+EOF
+made sphere --offset=0.22655400741586312 --chord-error=0.03145107175328204 <cusp
+verified 'a sphere, beside a cusp of an offset' 1 --problems=cusp
+jq -c '.offsets[0].samples[92].curvature *= -1' r >wrong.json
+run verify -q --problems=cusp wrong.json
+equal 'beside a cusp, another sign' '"sample_error" 1' \
+  "$(jq -c .worst.check out) $status"
+
 # a length between control points that are nearly antipodal is found to less
 cat >wide <<'EOF'
 {"points":[[1,0,0],[1,0.00002,0],[-0.91,0.412,0.0434],[-0.91,0.412,0.04335]],
