@@ -187,7 +187,15 @@ static double bring_near(struct motion *m) {
   return scale;
 }
 
-/* Speed, tangent, curvature and torsion of what moves so. */
+/*
+ * Speed, tangent, curvature and torsion of what moves so.
+ *
+ * Numbers b and b' that are both within e of a speed have
+ *   |1/b - 1/b'| <= 2 e / (b (b - 2 e)),                                (2)
+ * and a curvature is a quotient by a speed^3: so two that are right are no
+ * farther apart than twice what the first order says over (1 - 2 e / b)^3.
+ * [Derived here]
+ */
 static void curvatures(const struct ph_check_path *path, struct motion *m,
                        struct ph_check_local *local) {
   double scale = bring_near(m);
@@ -196,7 +204,7 @@ static void curvatures(const struct ph_check_path *path, struct motion *m,
   ph_vec3 turn = ph_vec3_cross(m->jet[0], m->jet[1]);
   double area = ph_vec3_abs(turn);
   double error = speed * m->error[1] + second * m->error[0];
-  double slower = 1 - 2 * m->error[0] / speed; /* a quotient by a speed^3 */
+  double slower = 1 - 2 * m->error[0] / speed;
   local->speed = speed / scale;
   local->tangent = ph_vec3_scale(1 / speed, m->jet[0]);
   local->tangent_error = m->error[0] / speed;
@@ -284,7 +292,7 @@ struct ph_check_local ph_check_great_local(const struct ph_check_path *path,
     local.tangent = ph_vec3_scale(-1, local.tangent);
   }
   /* kappa = turn / speed; cot(rho - d) = (cos d kappa + sin d) /
-   * (cos d - sin d kappa) */
+   * (cos d - sin d kappa); its error by (2), of the speed itself */
   top = cos(d) * turn + sin(d) * speed;
   bottom = local.speed / s->radius;
   local.curvature = top / (bottom * s->radius);

@@ -43,7 +43,8 @@ struct ph_check_local {
                    turned back */
   double along_error;
   double curvature, curvature_error; /* signed in the plane, geodesic on the
-                                        sphere */
+                                        sphere; that of another who is right
+                                        is at most twice the error away */
   double torsion, torsion_error;     /* in space */
   double flat; /* in space: the relative error of r' x r'' */
 };

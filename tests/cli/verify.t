@@ -23,6 +23,13 @@ verified() {
   fi
 }
 
+# refuses NAME CHECK PROBLEMS FILTER: what jq makes of r, by that check.
+refuses() {
+  jq -c "$4" r >wrong.json
+  run verify -q --problems="$3" wrong.json
+  equal "$1" "\"$2\" 1" "$(jq -c .worst.check out) $status"
+}
+
 # made COMMAND [OPTION]...: its results of standard input, in r.
 made() {
   run "$@" -q -
@@ -440,11 +447,9 @@ cat >wide <<'EOF'
 EOF
 made sphere --offset=-0.5 --chord-error=0.009 <wide
 verified 'a sphere, a parallel where the curve turns back' 1 --problems=wide
-jq -c '(.offsets[0].samples[]|select(.segment==2 and .t>0.0383573896835 and
-  .t<0.0383573896836)|.point[2]) *= -1' r >wrong.json
-run verify -q --problems=wide wrong.json
-equal 'a sphere, the other side of it' '"sample_error" 1' \
-  "$(jq -c .worst.check out) $status"
+refuses 'a sphere, the other side of it' sample_error wide \
+  '(.offsets[0].samples[]|select(.segment==2 and .t>0.0383573896835 and
+  .t<0.0383573896836)|.point[2]) *= -1'
 
 # ... also of a Bezier curve, at a joint
 cat >wide <<'EOF'
@@ -453,10 +458,8 @@ cat >wide <<'EOF'
 EOF
 made spatial-hermite --sample=5 --convert=bezier <wide
 verified 'a Bezier curve that all but stands still' 1 --problems=wide
-jq -c '.samples[-1].tangent = [0.5,-0.5,-0.7071067811865476]' r >wrong.json
-run verify -q --problems=wide wrong.json
-equal 'a Bezier curve, between two directions' '"sample_error" 1' \
-  "$(jq -c .worst.check out) $status"
+refuses 'a Bezier curve, between two directions' sample_error wide \
+  '.samples[-1].tangent = [0.5,-0.5,-0.7071067811865476]'
 
 # a distance below rounding, where the curve stands still
 echo '{"points":[[139616.222,-95049.963],[139616.222,-95049.9628]],
@@ -464,19 +467,16 @@ echo '{"points":[[139616.222,-95049.963],[139616.222,-95049.9628]],
 made planar --offset=1e-11 <still
 verified 'an offset of no distance from a point at rest' 1 --problems=still
 for factor in '(1 + 1e-10)' '(1 - 1e-10)'; do
-  jq -c ".offsets[0].segments[0].control_points[-1][1] *= $factor" r >wrong.json
-  run verify -q --problems=still wrong.json
-  equal 'a plane, beside a point at rest' '"offset_error" 1' \
-    "$(jq -c .worst.check out) $status"
+  refuses 'a plane, beside a point at rest' offset_error still \
+    ".offsets[0].segments[0].control_points[-1][1] *= $factor"
 done
 
 # where a curve stands still, an offset is at the distance, to whatever side
 # aside CHECK PATH PROBLEM: a point of r that is moved by a fiftieth of that is
 # refused
 aside() {
-  jq -c ".offsets[0].$2[0] += 1e-6" r >wrong.json
-  run verify -q --problems="$3" wrong.json
-  equal "an offset at rest: $2" "\"$1\" 1" "$(jq -c .worst.check out) $status"
+  refuses "an offset at rest: $2" "$1" "$3" \
+    ".offsets[0].$2[0] += 1e-6"
 }
 made planar --offset=0.00005 --sample=4 --nurbs <still
 verified 'an offset of a plane curve at rest' 1 --problems=still
@@ -510,11 +510,8 @@ cat >tiny <<'EOF'
 EOF
 made tc --offset=-0.097 --chord-error=0.028 <tiny
 verified 'an offset that turns where the curve goes back' 1 --problems=tiny
-jq -c '.offsets[0].samples[26:][].s += 0.01 | .offsets[0].length += 0.01' r \
-  >wrong.json
-run verify -q --problems=tiny wrong.json
-equal 'such an offset, too long' '"sample_error" 1' \
-  "$(jq -c .worst.check out) $status"
+refuses 'such an offset, too long' sample_error tiny \
+  '.offsets[0].samples[26:][].s += 0.01 | .offsets[0].length += 0.01'
 
 # ... and are in order to that
 cat >tiny <<'EOF'
@@ -524,10 +521,8 @@ cat >tiny <<'EOF'
 EOF
 made planar --offset=2 --sample=6 <tiny
 verified 'a far offset of what is all but straight' 1 --problems=tiny
-jq -c '.offsets[0].samples[12].s -= 1e-14' r >wrong.json
-run verify -q --problems=tiny wrong.json
-equal 'a far offset, not in order' '"sample_error" 1' \
-  "$(jq -c .worst.check out) $status"
+refuses 'a far offset, not in order' sample_error tiny \
+  '.offsets[0].samples[12].s -= 1e-14'
 
 # beside a cusp of an offset its curvature, 1 over its speed, is known to half of
 # itself
@@ -541,10 +536,8 @@ cat >cusp <<'EOF'
 EOF
 made sphere --offset=0.22655400741586312 --chord-error=0.03145107175328204 <cusp
 verified 'a sphere, beside a cusp of an offset' 1 --problems=cusp
-jq -c '.offsets[0].samples[92].curvature *= -1' r >wrong.json
-run verify -q --problems=cusp wrong.json
-equal 'beside a cusp, another sign' '"sample_error" 1' \
-  "$(jq -c .worst.check out) $status"
+refuses 'beside a cusp, another sign' sample_error cusp \
+  '.offsets[0].samples[92].curvature *= -1'
 
 # a length between control points that are nearly antipodal is found to less
 cat >wide <<'EOF'
