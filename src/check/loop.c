@@ -293,6 +293,16 @@ static void load(const struct context *c, const struct ph_loop_piece *of,
 /* ---- loops ----------------------------------------------------------------
  */
 
+/* By how much rounding of a piece's control points may turn it at an end: its
+ * leg there may be as short as that. */
+static double loose_at(const struct context *c, const struct ph_check_piece *p,
+                       size_t end) {
+  const size_t n = p->degree;
+  const double w = end ? p->w[n - 1] / p->w[n] : p->w[1];
+  const double leg = ph_vec3_abs(p->end[end]) / ((double)n * w);
+  return 2 * ph_check_reach(c->v, end ? p->last : p->first) / leg;
+}
+
 /* Where one piece leads to another. */
 static double check_joint(struct context *c, const struct ph_check_piece *a,
                           const struct ph_check_piece *b) {
@@ -306,7 +316,8 @@ static double check_joint(struct context *c, const struct ph_check_piece *a,
   if (c->trimmed && fabs(turn) > PH_PI - BACK) { /* where parts touch */
     return turn * c->side < 0 ? turn + copysign(2 * PH_PI, c->side) : turn;
   }
-  if (c->trimmed && !tip && turn * c->side < 0 && fabs(turn) > BEND) {
+  if (c->trimmed && !tip && turn * c->side < 0 &&
+      fabs(turn) > BEND + loose_at(c, a, 1) + loose_at(c, b, 0)) {
     see(c, OF_TURN, fabs(turn));
   }
   return turn;

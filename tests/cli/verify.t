@@ -128,6 +128,15 @@ echo '{"points":[[2229065.45617269,16031338.93436713],
   "tangents":[[0.98027509,-0.19763792137],[0.9803,-0.1977],[0,-0.2]]}' >still
 made tc --offset=9 <still
 verified 'an offset beside a point at rest' 1 --problems=still
+
+# loops whose legs are as short as 500 roundings of their points: where they
+# meet, these turn them
+echo '{"points":[[23117.463683140613,17638.662272387228],
+  [23117.463683140835,17638.66227238275],
+  [23117.463683114784,17638.662272386086]],"closed":true,"basis":"atph",
+  "knots":[0,0.001984432246710496,0.957258502082726,1.0927950709388177]}' >short
+made planar --offset=-2.9e-16 --offset-mode=trimmed <short
+verified 'a loop with legs of a few roundings' 1 --problems=short
 echo '{"points":[[0,0],[-0.02049794,0.188658646],[-0.02049794,0.18865864599]],
   "basis":"atph","end_derivatives":[[0,0.09],[0,3e-9]]}' >still
 made planar --offset=-0.2 <still
