@@ -9,6 +9,11 @@
 enum { PLACES = 8, HALVINGS_MAX = 50 };
 static const double BETWEEN = 1.5;
 
+/* Nearer than what was found by this part of the tolerance is not looked for:
+ * of parts that are all as far from a place, as those of an arc about it, one
+ * would be cut for every rounding of their points. */
+static const double FOUND = 0.5;
+
 /* The company of a segment turns by less than that to either side. */
 static const double TURN = 1.5;
 
@@ -300,8 +305,9 @@ static void look_between(struct look *look, const struct end *a,
   const double h = b->u - a->u;
   const double away = from_chord(look->place, a->r, b->r) -
                       look->tree->bend[look->k] * h * h / 8;
+  const double near = look->base.limit - FOUND * look->tree->tolerance;
   struct end middle;
-  if (!(away < look->base.limit) || depth == HALVINGS_MAX) {
+  if (!(away < near) || depth == HALVINGS_MAX) {
     return;
   }
   middle = end_at(look, 0.5 * (a->u + b->u));

@@ -58,8 +58,8 @@ bool ph_check_is_clear(const struct ph_check_tree *tree,
 
 /*
  * ph_check_nearer: by how much a point of the curve is nearer to a place than
- * the distance; 0 where none is by more than the tolerance; NaN of a place that
- * is none.
+ * the distance, to half the tolerance; 0 where none is by more than 1.5 times
+ * the tolerance; NaN of a place that is none.
  *
  * in   k, company  the same; or NULL: the place is any
  */

@@ -137,6 +137,15 @@ echo '{"points":[[23117.463683140613,17638.662272387228],
   "knots":[0,0.001984432246710496,0.957258502082726,1.0927950709388177]}' >short
 made planar --offset=-2.9e-16 --offset-mode=trimmed <short
 verified 'a loop with legs of a few roundings' 1 --problems=short
+
+# an offset nearer than points are apart: every part of the curve is as far from
+# its places, and cutting all of them for the nearest had no end
+echo '{"points":[[-44978494816.67456,-12164212188.319405],
+  [-44978494817.41782,-12164212187.96565],
+  [-44978494818.02393,-12164212187.677002],
+  [-44978494819.29208,-12164212187.073067]],"basis":"atph"}' >short
+made planar --offset=2.2e-6 --offset-mode=trimmed --time-limit=20 <short
+verified 'an offset nearer than points are apart' 1 --problems=short
 echo '{"points":[[0,0],[-0.02049794,0.188658646],[-0.02049794,0.18865864599]],
   "basis":"atph","end_derivatives":[[0,0.09],[0,3e-9]]}' >still
 made planar --offset=-0.2 <still
