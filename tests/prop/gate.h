@@ -61,7 +61,8 @@ enum gate_fate { GATE_SOLVED, GATE_REFUSED, GATE_WRONG };
 struct gate_outcome {
   enum gate_fate fate;
   enum ph_status code; /* GATE_REFUSED: why */
-  bool ambiguous;      /* GATE_MEASURED: there is another good curve */
+  bool ambiguous;      /* GATE_MEASURED: there is another good curve, or may be,
+                          as the search was cut short */
   double length;       /* ... of the first result, and those of its segments, */
   double lengths[GATE_POINTS]; /* as far as they fit */
   size_t segments;

@@ -389,25 +389,30 @@ static void extremes(const struct ph_curve *curve,
 /* ---- polygons ---------------------------------------------------------------
  */
 
+/* A point of segment k, seen from the first control point of all. */
+static void point(const struct ph_curve *curve, size_t k, real t, real *p) {
+  const double *c = ph_curve_points(curve, k);
+  real b[6][2];
+  for (size_t j = 0; j <= curve->degree; j++) {
+    b[j][0] = c[2 * j] - (real)curve->control_points[0];
+    b[j][1] = c[2 * j + 1] - (real)curve->control_points[1];
+  }
+  for (size_t n = curve->degree; n > 0; n--) {
+    for (size_t j = 0; j < n; j++) {
+      b[j][0] += t * (b[j + 1][0] - b[j][0]);
+      b[j][1] += t * (b[j + 1][1] - b[j][1]);
+    }
+  }
+  p[0] = b[0][0];
+  p[1] = b[0][1];
+}
+
 /* Points of the curve, exactly as far as needed; n * PLACES + 1 of them. */
 static size_t polygon(const struct ph_curve *curve, real *p) {
   size_t m = 0;
   for (size_t k = 0; k < curve->n; k++) {
-    const double *c = ph_curve_points(curve, k);
     for (int i = 0; i < PLACES; i++, m++) {
-      real t = (real)i / PLACES, b[6][2];
-      for (size_t j = 0; j <= curve->degree; j++) {
-        b[j][0] = c[2 * j] - (real)curve->control_points[0];
-        b[j][1] = c[2 * j + 1] - (real)curve->control_points[1];
-      }
-      for (size_t n = curve->degree; n > 0; n--) {
-        for (size_t j = 0; j < n; j++) {
-          b[j][0] += t * (b[j + 1][0] - b[j][0]);
-          b[j][1] += t * (b[j + 1][1] - b[j][1]);
-        }
-      }
-      p[2 * m] = b[0][0];
-      p[2 * m + 1] = b[0][1];
+      point(curve, k, (real)i / PLACES, p + 2 * m);
     }
   }
   return m;
@@ -417,20 +422,56 @@ static real side(const real *a, const real *b, const real *c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-/* Whether two edges cross, well inside both. */
-static bool crosses(const real *a, const real *b) {
+/* Whether two edges cross, inside both by this part of them. */
+static bool crosses(const real *a, const real *b, real inside) {
   real x = side(a, a + 2, b), y = side(a, a + 2, b + 2);
   real u = side(b, b + 2, a), v = side(b, b + 2, a + 2);
-  const real inside = 0.05L;
   return x * y < 0 && u * v < 0 && fabsl(x) > inside * fabsl(x - y) &&
          fabsl(y) > inside * fabsl(x - y) && fabsl(u) > inside * fabsl(u - v) &&
          fabsl(v) > inside * fabsl(u - v);
+}
+
+static const real INSIDE = 0.05L;
+
+/* Points of edge i of that polygon, finer: PIECES + 1 of them. */
+enum { PIECES = 32, FINER = 2 };
+
+static void finer(const struct ph_curve *curve, size_t i, real from, real to,
+                  real *p) {
+  const real first = (real)(i % PLACES);
+  for (int j = 0; j <= PIECES; j++) {
+    const real x = from + (to - from) * j / PIECES;
+    point(curve, i / PLACES, (first + x) / PLACES, p + 2 * j);
+  }
+}
+
+/* Whether parts of edges i and k still cross where these are finer, so many
+ * times: about a sharp turn edges cross that the curve does not follow. */
+static bool still_cross(const struct ph_curve *curve, size_t i,
+                        const real of_i[2], size_t k, const real of_k[2],
+                        int times) {
+  real p[2 * (PIECES + 1)], q[2 * (PIECES + 1)];
+  bool cross = times == 0;
+  finer(curve, i, of_i[0], of_i[1], p);
+  finer(curve, k, of_k[0], of_k[1], q);
+  for (int j = 0; j < PIECES && !cross; j++) {
+    for (int l = 0; l < PIECES && !cross; l++) {
+      const real a = (of_i[1] - of_i[0]) / PIECES;
+      const real b = (of_k[1] - of_k[0]) / PIECES;
+      const real in[2] = {of_i[0] + a * j, of_i[0] + a * (j + 1)};
+      const real on[2] = {of_k[0] + b * l, of_k[0] + b * (l + 1)};
+      cross = crosses(p + 2 * j, q + 2 * l, 0) &&
+              still_cross(curve, i, in, k, on, times - 1);
+    }
+  }
+  return cross;
 }
 
 static void crossings(const struct ph_curve *curve,
                       const struct ph_diagnostics *d,
                       struct gate_outcome *outcome) {
   static _Thread_local real p[2 * (SEGMENTS * PLACES + 1)];
+  const real whole[2] = {0, 1};
   size_t n;
   bool looped[SEGMENTS] = {false}, simple = true;
   double loops = 0;
@@ -441,7 +482,8 @@ static void crossings(const struct ph_curve *curve,
   n = polygon(curve, p);
   for (size_t i = 0; i + 1 < n; i++) {
     for (size_t j = i + 8; j + 1 < n; j++) {
-      if (crosses(p + 2 * i, p + 2 * j)) {
+      if (crosses(p + 2 * i, p + 2 * j, INSIDE) &&
+          still_cross(curve, i, whole, j, whole, FINER)) {
         simple = false;
         looped[i / PLACES] =
             looped[i / PLACES] || i / PLACES == (j + 1) / PLACES;

@@ -184,7 +184,8 @@ static void look_at_result(struct gate_lab *lab, enum gate_look look,
     for (size_t i = 0; curve->lengths && i < curve->n && i < GATE_POINTS; i++) {
       outcome->lengths[i] = curve->lengths[i];
     }
-    outcome->ambiguous = strstr(lab->err.data, "[ambiguous]") != NULL;
+    outcome->ambiguous = strstr(lab->err.data, "[ambiguous]") != NULL ||
+                         strstr(lab->err.data, "[cut-short]") != NULL;
   }
   if (look == GATE_CLOSELY || outcome->fate == GATE_WRONG) {
     struct gate_outcome brute = {.fate = GATE_SOLVED};
