@@ -26,7 +26,6 @@ struct builder {
   size_t interval; /* that is being built, */
   size_t first;    /* from this cubic on */
   double ratio;    /* of outer legs, the largest or its inverse */
-  const struct ph_tc_data *spline;
   size_t pairs;
 };
 
@@ -131,22 +130,26 @@ static void build_span(struct builder *b, size_t i) {
   }
 }
 
+/* Whether a line ends or begins where span i does. */
+static bool is_straight_joint(const struct ph_g2_chain *c, size_t i) {
+  const struct ph_g2_node *node = &c->node[i];
+  enum ph_g2_form before;
+  if (!node->inner) {
+    return false;
+  }
+  before = c->span[ph_g2_before(c, i)].form;
+  return (before == PH_G2_LINE) != (c->span[i].form == PH_G2_LINE) ||
+         (node->sign == 0 && before != PH_G2_LINE);
+}
+
 /* What is before cubic `first`, the first of span i: a point that was added, or
  * one where a line ends or begins. */
 static void describe_node(struct builder *b, size_t i, size_t first) {
-  const struct ph_g2_chain *c = b->chain;
   struct ph_g2 *g2 = &b->curve->g2;
-  const struct ph_g2_node *node = &c->node[i];
-  enum ph_g2_form before;
-  if (node->datum == PH_G2_ADDED) {
+  if (b->chain->node[i].datum == PH_G2_ADDED) {
     g2->auxiliary[g2->auxiliary_n++] = first;
   }
-  if (!node->inner) {
-    return;
-  }
-  before = c->span[ph_g2_before(c, i)].form;
-  if ((before == PH_G2_LINE) != (c->span[i].form == PH_G2_LINE) ||
-      (node->sign == 0 && before != PH_G2_LINE)) {
+  if (is_straight_joint(b->chain, i)) {
     add_joint(b, first, PH_JOINT_STRAIGHT);
   }
 }
@@ -191,7 +194,7 @@ static void build_chain(struct builder *b, const struct ph_g2_part *part) {
 
 /* The pair of the mode spline. */
 static void build_pair(struct builder *b, const struct ph_g2_part *part) {
-  struct ph_tc_builder pair = {.data = b->spline,
+  struct ph_tc_builder pair = {.data = b->data,
                                .curve = b->curve,
                                .intervals = b->intervals,
                                .done = b->interval};
@@ -279,15 +282,17 @@ static void begin_with_data(struct builder *b) {
 static size_t count(const struct ph_g2_parts *parts, size_t *joints,
                     size_t *added) {
   size_t cubics = 0;
-  *joints = *added = 0;
+  *joints = parts->n; /* between parts */
+  *added = 0;
   for (size_t k = 0; k < parts->n; k++) {
     const struct ph_g2_part *part = &parts->part[k];
     size_t spans = part->pair ? part->fit.n : part->chain.n;
-    *joints += spans + 1;
+    *joints += part->pair ? spans - 1 : 0;
     cubics += spans;
     for (size_t i = 0; !part->pair && i < spans; i++) {
-      *joints += part->chain.span[i].form == PH_G2_BEND;
-      cubics += part->chain.span[i].form == PH_G2_BEND;
+      const bool bend = part->chain.span[i].form == PH_G2_BEND;
+      *joints += bend + is_straight_joint(&part->chain, i);
+      cubics += bend;
     }
     *added += part->pair ? 0 : spans - part->n;
   }
@@ -401,19 +406,9 @@ enum ph_status ph_tc_g2(const struct ph_problem *problem,
                         const struct ph_tc_data *data, struct ph_arena *out,
                         struct ph_arena *scratch, struct ph_result *result,
                         struct ph_diag *diag) {
-  struct ph_tc_data spline;
-  struct ph_diag why;
   struct ph_g2_parts parts;
-  bool has_spline =
-      ph_tc_data_of(problem, PH_TC_SPLINE, scratch, &spline, &why) == PH_OK;
-  struct builder b = {.data = data, .spline = &spline, .ratio = 1};
-  enum ph_status status;
-  if (!has_spline &&
-      why.status == PH_E_NO_MEMORY) { /* not that there is none */
-    return ph_fail_memory(diag);
-  }
-  status = ph_g2_parts_of(problem, data, has_spline ? &spline : NULL, scratch,
-                          &parts, diag);
+  struct builder b = {.data = data, .ratio = 1};
+  enum ph_status status = ph_g2_parts_of(problem, data, scratch, &parts, diag);
   if (status == PH_OK) {
     status = build(&b, &parts, out, result, diag);
   }

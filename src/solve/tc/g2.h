@@ -80,7 +80,6 @@ enum ph_g2_form { PH_G2_LINE, PH_G2_ARC, PH_G2_BEND };
 struct ph_g2_span {
   ph_cplx chord;
   double length;
-  double off; /* by this angle rounding of coordinates may turn it */
   enum ph_g2_form form;
   signed char sense; /* of the turn at its start: 1 to the left, or -1 */
 };
@@ -129,11 +128,12 @@ static inline size_t ph_g2_before(const struct ph_g2_chain *chain, size_t k) {
 /*
  * ph_g2_chain_of: n intervals of the data.
  *
- * in   tangent  [2] unit tangents at its ends, NaN where they are free; NULL
- * for all of closed data ret  PH_OK | PH_E_NO_MEMORY
+ * in    tangent  [2] unit tangents at its ends, NaN where they are free; NULL
+ *                for all of closed data
+ * inout chain    with `data', `loose' and `hard'
+ * ret   PH_OK | PH_E_NO_MEMORY
  */
-enum ph_status ph_g2_chain_of(const struct ph_tc_data *data, size_t first,
-                              size_t n, const ph_cplx tangent[2],
+enum ph_status ph_g2_chain_of(size_t first, size_t n, const ph_cplx tangent[2],
                               struct ph_arena *arena, struct ph_g2_chain *chain,
                               struct ph_diag *diag);
 
@@ -207,15 +207,17 @@ enum ph_status ph_g2_solve(const struct ph_g2_chain *chain,
                            struct ph_diag *diag);
 
 /*
- * ph_g2_find: what stands between the points of a chain, and its angles, with
+ * ph_g2_find: what stands between n intervals of the data, and its angles, with
  * more points where that makes it fairer, or is needed.
  *
+ * in    tangent  as for ph_g2_chain_of
  * in    may_add  whether points may be added
- * inout chain    with `loose' and `hard'; that of ph_g2_chain_of, and the one
- * that was found ret   as ph_g2_plan and ph_g2_solve
+ * inout chain    with `data', `loose' and `hard'; the one that was found
+ * ret   as ph_g2_chain_of, ph_g2_plan and ph_g2_solve
  */
-enum ph_status ph_g2_find(struct ph_g2_chain *chain, bool may_add,
-                          enum ph_g2_rule rule, struct ph_arena *arena,
+enum ph_status ph_g2_find(size_t first, size_t n, const ph_cplx tangent[2],
+                          bool may_add, enum ph_g2_rule rule,
+                          struct ph_arena *arena, struct ph_g2_chain *chain,
                           struct ph_g2_solution *solution,
                           struct ph_diag *diag);
 
@@ -241,12 +243,10 @@ struct ph_g2_parts {
  * ph_g2_parts_of: one part, or more where the curve would bend more than that
  * of the mode spline, or is not found.
  *
- * in   spline  the data of the mode spline, or NULL where it has no curve
  * ret  PH_OK | PH_E_INFEASIBLE | PH_E_NO_CONVERGENCE | PH_E_NO_MEMORY
  */
 enum ph_status ph_g2_parts_of(const struct ph_problem *problem,
                               const struct ph_tc_data *data,
-                              const struct ph_tc_data *spline,
                               struct ph_arena *arena, struct ph_g2_parts *parts,
                               struct ph_diag *diag);
 

@@ -19,15 +19,25 @@ enum { LOOPS_MAX = 6 };
 
 /* ---- solutions ----------------------------------------------------------- */
 
+static bool is_loop(const struct ph_g2_chain *chain,
+                    const struct ph_g2_solution *s, size_t i) {
+  return chain->span[i].form == PH_G2_ARC && s->a[i] + s->b[i] > TURN;
+}
+
 /* Points over cubics that turn too much.  ret NULL when memory is exhausted */
 static struct ph_g2_apex *loops_of(const struct ph_g2_chain *chain,
                                    const struct ph_g2_solution *s,
                                    struct ph_arena *arena, size_t *n) {
-  struct ph_g2_apex *apex = ph_arena_array(arena, chain->n, sizeof *apex);
+  struct ph_g2_apex *apex;
+  size_t at = 0;
   *n = 0;
-  for (size_t i = 0; apex && i < chain->n; i++) {
-    if (chain->span[i].form == PH_G2_ARC && s->a[i] + s->b[i] > TURN) {
-      apex[(*n)++] = (struct ph_g2_apex){
+  for (size_t i = 0; i < chain->n; i++) {
+    *n += is_loop(chain, s, i);
+  }
+  apex = ph_arena_array(arena, *n, sizeof *apex);
+  for (size_t i = 0; apex && at < *n; i++) {
+    if (is_loop(chain, s, i)) {
+      apex[at++] = (struct ph_g2_apex){
           i, {s->a[i] / 2, s->b[i] / 2}, chain->span[i].sense};
     }
   }
@@ -48,40 +58,17 @@ static bool move_chain(struct ph_g2_chain *chain, struct ph_arena *arena) {
   return true;
 }
 
-/* What stands between the points of a chain; what it takes to find that is
- * gone after it. */
+/* What stands between the points of a chain, which is another one where some
+ * are added; what it takes to find that is gone after it. */
 static enum ph_status plan(struct ph_g2_chain *chain, bool may_add,
                            struct ph_arena *arena, struct ph_diag *diag) {
+  const struct ph_g2_node *given = chain->node;
   struct ph_arena work = ph_arena_beside(arena);
   enum ph_status status = ph_g2_plan(chain, may_add, &work, diag);
-  if (status == PH_OK && !move_chain(chain, arena)) {
+  if (status == PH_OK && chain->node != given && !move_chain(chain, arena)) {
     status = ph_fail_memory(diag);
   }
   ph_arena_free(&work);
-  return status;
-}
-
-/* The same, and the angles; with more points where that fails. */
-static enum ph_status plan_and_solve(struct ph_g2_chain *chain, bool may_add,
-                                     enum ph_g2_rule rule,
-                                     struct ph_arena *arena,
-                                     struct ph_g2_solution *s,
-                                     struct ph_diag *diag) {
-  const struct ph_g2_chain given = *chain;
-  enum ph_status status;
-  ph_g2_mark(chain, 0, chain->n, PH_G2_EASY);
-  status = plan(chain, may_add, arena, diag);
-  if (status == PH_OK) {
-    status = ph_g2_solve(chain, rule, arena, s, diag);
-  }
-  if (status == PH_E_NO_CONVERGENCE && may_add && !ph_arena_late(arena)) {
-    *chain = given;
-    status = plan(chain, true, arena, diag);
-    if (status == PH_OK) {
-      ph_g2_mark(chain, 0, chain->n, PH_G2_EASY);
-      status = ph_g2_solve(chain, rule, arena, s, diag);
-    }
-  }
   return status;
 }
 
@@ -90,7 +77,40 @@ struct solved {
   struct ph_g2_chain chain;
   struct ph_g2_solution solution;
   struct ph_arena arena;
+  struct ph_arena given; /* of the chain as it was before points were added */
 };
+
+static struct solved nothing(const struct ph_arena *arena) {
+  return (struct solved){.arena = ph_arena_beside(arena),
+                         .given = ph_arena_beside(arena)};
+}
+
+/* What stands between the points of a chain that is given, and the angles; with
+ * more points where that fails. */
+static enum ph_status plan_and_solve(struct solved *s, bool may_add,
+                                     enum ph_g2_rule rule,
+                                     struct ph_diag *diag) {
+  const struct ph_g2_chain given = s->chain;
+  enum ph_status status;
+  ph_g2_mark(&s->chain, 0, s->chain.n, PH_G2_EASY);
+  status = plan(&s->chain, may_add, &s->arena, diag);
+  if (status == PH_OK) {
+    status = ph_g2_solve(&s->chain, rule, &s->arena, &s->solution, diag);
+  }
+  if (status == PH_E_NO_CONVERGENCE && may_add && !ph_arena_late(&s->arena)) {
+    s->chain = given;
+    ph_arena_reset(&s->arena);
+    status = plan(&s->chain, true, &s->arena, diag);
+    if (status == PH_OK) {
+      ph_g2_mark(&s->chain, 0, s->chain.n, PH_G2_EASY);
+      status = ph_g2_solve(&s->chain, rule, &s->arena, &s->solution, diag);
+    }
+  }
+  if (s->chain.node != given.node) {
+    ph_arena_free(&s->given);
+  }
+  return status;
+}
 
 /* Into `next`, the solution with points over the cubics of `last` that turn too
  * much.  ret false: there are none, or (*status) memory is exhausted, or there
@@ -101,7 +121,7 @@ static bool lengthen(const struct solved *last, enum ph_g2_rule rule,
   struct ph_diag why;
   size_t n;
   struct ph_g2_apex *apex =
-      loops_of(&last->chain, &last->solution, &next->arena, &n);
+      loops_of(&last->chain, &last->solution, &next->given, &n);
   if (!apex) {
     *status = ph_fail_memory(diag);
     return false;
@@ -110,12 +130,11 @@ static bool lengthen(const struct solved *last, enum ph_g2_rule rule,
     return false;
   }
   next->solution = (struct ph_g2_solution){.iterations = 0};
-  *status = ph_g2_add(&last->chain, apex, n, &next->arena, &next->chain, diag);
+  *status = ph_g2_add(&last->chain, apex, n, &next->given, &next->chain, diag);
   if (*status != PH_OK) {
     return false;
   }
-  const enum ph_status solved = plan_and_solve(
-      &next->chain, true, rule, &next->arena, &next->solution, &why);
+  const enum ph_status solved = plan_and_solve(next, true, rule, &why);
   if (solved == PH_E_NO_MEMORY) { /* not that there is none */
     *status = ph_fail_memory(diag);
   }
@@ -146,28 +165,37 @@ static enum ph_status hand_over(const struct solved *found,
   return PH_OK;
 }
 
+static void forget(struct solved *s) {
+  ph_arena_free(&s->arena);
+  ph_arena_free(&s->given);
+}
+
 /* With points over cubics that turn too much, as long as there is a solution
  * with them.  Of all that is tried no more than two are in memory. */
-enum ph_status ph_g2_find(struct ph_g2_chain *chain, bool may_add,
-                          enum ph_g2_rule rule, struct ph_arena *arena,
+enum ph_status ph_g2_find(size_t first, size_t n, const ph_cplx tangent[2],
+                          bool may_add, enum ph_g2_rule rule,
+                          struct ph_arena *arena, struct ph_g2_chain *chain,
                           struct ph_g2_solution *s, struct ph_diag *diag) {
-  struct solved tried[2] = {{.chain = *chain, .arena = ph_arena_beside(arena)},
-                            {.arena = ph_arena_beside(arena)}};
+  struct solved tried[2] = {nothing(arena), nothing(arena)};
   struct solved *last = &tried[0], *next = &tried[1];
-  enum ph_status status = plan_and_solve(&last->chain, may_add, rule,
-                                         &last->arena, &last->solution, diag);
+  enum ph_status status =
+      ph_g2_chain_of(first, n, tangent, &last->given, chain, diag);
+  last->chain = *chain;
+  if (status == PH_OK) {
+    status = plan_and_solve(last, may_add, rule, diag);
+  }
   for (size_t round = 0; status == PH_OK && may_add && round < LOOPS_MAX &&
                          lengthen(last, rule, next, &status, diag);
        round++) {
     struct solved *before = last;
     last = next;
     next = before;
-    ph_arena_reset(&next->arena);
+    forget(next);
   }
-  ph_arena_free(&next->arena);
+  forget(next);
   if (status == PH_OK) {
     status = hand_over(last, arena, chain, s, diag);
   }
-  ph_arena_free(&last->arena);
+  forget(last);
   return status;
 }

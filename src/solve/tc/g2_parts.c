@@ -71,7 +71,8 @@ struct search {
   const struct ph_tc_data *spline; /* the same, of the mode spline */
   bool may_add;
   enum ph_g2_rule rule;
-  struct ph_arena *arena;
+  struct ph_arena *arena; /* of the parts, */
+  struct ph_arena work;   /* and of what is not needed after the search */
   struct ph_diag *diag;
   struct bent *pair, *here; /* [n] of the pair of the mode spline; as it is */
   atomic_bool no_pair;      /* an interval has none */
@@ -145,15 +146,11 @@ static enum ph_status solve_part(struct search *s, struct ph_g2_part *part,
     tangent[0] = tangent_at(s, part->first);
     tangent[1] = tangent_at(s, part->first + part->n);
   }
-  status = ph_g2_chain_of(d, part->first, part->n,
-                          d->closed && only ? NULL : tangent, s->arena,
-                          &part->chain, diag);
-  part->chain.loose = s->loose;
-  part->chain.hard = s->hard;
-  if (status == PH_OK) {
-    status = ph_g2_find(&part->chain, s->may_add, s->rule, s->arena,
-                        &part->solution, diag);
-  }
+  part->chain =
+      (struct ph_g2_chain){.data = d, .loose = s->loose, .hard = s->hard};
+  status = ph_g2_find(part->first, part->n, d->closed && only ? NULL : tangent,
+                      s->may_add, s->rule, s->arena, &part->chain,
+                      &part->solution, diag);
   part->solved = status == PH_OK;
   if (status == PH_E_NO_CONVERGENCE && ph_arena_late(s->arena)) {
     return ph_fail_memory(s->diag);
@@ -205,16 +202,16 @@ static void add_spans(struct search *s, const struct ph_g2_part *part,
 }
 
 static void measure_part(struct search *s, const struct ph_g2_part *part) {
-  const struct ph_mark mark = ph_arena_mark(s->arena);
+  const struct ph_mark mark = ph_arena_mark(&s->work);
   struct measured m = {.part = part};
   if (!part->pair && part->chain.n >= PH_G2_WORTH) {
-    m.span = ph_arena_array(s->arena, part->chain.n, sizeof *m.span);
+    m.span = ph_arena_array(&s->work, part->chain.n, sizeof *m.span);
   }
   if (m.span) {
     ph_g2_share(s->arena, part->chain.n, measure_spans, &m);
   }
   add_spans(s, part, m.span);
-  ph_arena_release(s->arena, mark);
+  ph_arena_release(&s->work, mark);
 }
 
 /* How much shorter the chord of interval i is than one beside it. */
@@ -441,10 +438,10 @@ static enum ph_status leave_lines(struct search *s, struct ph_g2_parts *parts) {
 static enum ph_status improve(struct search *s, struct ph_g2_parts *parts) {
   const size_t n = s->data->n;
   enum ph_status status = PH_OK;
-  s->pair = ph_arena_array(s->arena, n, sizeof *s->pair);
-  s->here = ph_arena_array(s->arena, n, sizeof *s->here);
-  s->mark = ph_arena_array(s->arena, n, 1);
-  s->line = ph_arena_array(s->arena, s->data->points_n, 1);
+  s->pair = ph_arena_array(&s->work, n, sizeof *s->pair);
+  s->here = ph_arena_array(&s->work, n, sizeof *s->here);
+  s->mark = ph_arena_array(&s->work, n, 1);
+  s->line = ph_arena_array(&s->work, s->data->points_n, 1);
   if (!s->pair || !s->here || !s->mark || !s->line) {
     return ph_fail_memory(s->diag);
   }
@@ -465,18 +462,39 @@ static enum ph_status improve(struct search *s, struct ph_g2_parts *parts) {
   return status;
 }
 
+/* The parts; the first as if there were no other, before what the others
+ * need is in memory. */
+static enum ph_status find_parts(struct search *s,
+                                 const struct ph_problem *problem,
+                                 struct ph_g2_parts *parts) {
+  const struct ph_tc_data *d = s->data;
+  struct ph_tc_data spline;
+  enum ph_status status = solve_part(s, &parts->part[0], true);
+  struct ph_diag why;
+  if (status != PH_OK && status != PH_E_NO_CONVERGENCE &&
+      !memchr(s->hard, PH_G2_STUCK, d->n)) {
+    return status;
+  }
+  if (ph_tc_data_of(problem, PH_TC_SPLINE, &s->work, &spline, &why) == PH_OK) {
+    s->spline = &spline;
+    status = improve(s, parts);
+  } else if (why.status == PH_E_NO_MEMORY) { /* not that there is none */
+    status = ph_fail_memory(s->diag);
+  }
+  return status;
+}
+
 enum ph_status ph_g2_parts_of(const struct ph_problem *problem,
                               const struct ph_tc_data *data,
-                              const struct ph_tc_data *spline,
                               struct ph_arena *arena, struct ph_g2_parts *parts,
                               struct ph_diag *diag) {
   struct search s = {
       .data = data,
-      .spline = spline,
       .may_add = !ph_value_is(&problem->field[PH_F_AUXILIARY], "never"),
       .rule = ph_value_is(&problem->field[PH_F_ENDS], "smooth") ? PH_G2_SMOOTH
                                                                 : PH_G2_CIRCLE,
       .arena = arena,
+      .work = ph_arena_beside(arena),
       .diag = diag};
   enum ph_status status;
   parts->n = 1;
@@ -489,9 +507,7 @@ enum ph_status ph_g2_parts_of(const struct ph_problem *problem,
   memset(s.loose, 0, data->points_n);
   memset(s.hard, 0, data->n);
   parts->part[0] = (struct ph_g2_part){.n = data->n};
-  status = solve_part(&s, &parts->part[0], true);
-  return spline && (status == PH_OK || status == PH_E_NO_CONVERGENCE ||
-                    memchr(s.hard, PH_G2_STUCK, data->n))
-             ? improve(&s, parts)
-             : status;
+  status = find_parts(&s, problem, parts);
+  ph_arena_free(&s.work);
+  return status;
 }

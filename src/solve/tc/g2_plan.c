@@ -59,13 +59,21 @@ static double coordinate(ph_cplx p) {
   return fmax(fabs(p.re), fabs(p.im));
 }
 
+/* By this angle rounding of coordinates may turn span i. */
+static double off(const struct ph_g2_chain *chain, size_t i) {
+  const struct ph_g2_node *a = &chain->node[i];
+  const struct ph_g2_node *b = &chain->node[ph_g2_next(chain, i)];
+  return DBL_EPSILON * (coordinate(a->p) + coordinate(b->p)) /
+         chain->span[i].length;
+}
+
 /* Whether the turn at a node is none, or no more than coordinates are rounded
  * by. */
 static bool is_straight(const struct ph_g2_chain *chain, size_t k) {
   const struct ph_g2_node *node = &chain->node[k];
   const double before =
-      node->inner || k > 0 ? chain->span[ph_g2_before(chain, k)].off : 0;
-  const double after = k < chain->n ? chain->span[k].off : 0;
+      node->inner || k > 0 ? off(chain, ph_g2_before(chain, k)) : 0;
+  const double after = k < chain->n ? off(chain, k) : 0;
   return !(fabs(node->turn) > fmax(STRAIGHT, before + after));
 }
 
@@ -78,7 +86,6 @@ static bool set_chords(void *context, size_t thread, size_t first, size_t end) {
     struct ph_g2_span *s = &chain->span[i];
     s->chord = ph_cplx_sub(b->p, a->p);
     s->length = hypot(s->chord.re, s->chord.im);
-    s->off = DBL_EPSILON * (coordinate(a->p) + coordinate(b->p)) / s->length;
   }
   return true;
 }
@@ -112,12 +119,11 @@ static void measure(struct ph_g2_chain *chain, const struct ph_arena *arena) {
   ph_g2_share(arena, chain->nodes_n, set_turns, chain);
 }
 
-enum ph_status ph_g2_chain_of(const struct ph_tc_data *data, size_t first,
-                              size_t n, const ph_cplx tangent[2],
+enum ph_status ph_g2_chain_of(size_t first, size_t n, const ph_cplx tangent[2],
                               struct ph_arena *arena, struct ph_g2_chain *chain,
                               struct ph_diag *diag) {
-  *chain = (struct ph_g2_chain){
-      .data = data, .closed = data->closed && n == data->n && !tangent};
+  const struct ph_tc_data *data = chain->data;
+  chain->closed = data->closed && n == data->n && !tangent;
   if (!alloc(chain, n, arena)) {
     return ph_fail_memory(diag);
   }

@@ -55,28 +55,35 @@ static double newton_step(struct ph_g2_system *s) {
   }
   ph_tri_finish(&s->tri, s->x);
   for (size_t k = 0; k < n; k++) {
-    s->step[k] = s->x[k].re;
-    largest = fmax(largest, fabs(s->step[k]));
-    sum += s->step[k] - s->step[k];
+    largest = fmax(largest, fabs(s->x[k].re));
+    sum += s->x[k].re - s->x[k].re;
   }
   return largest + sum;
 }
 
-/* Goes along the step until the residual falls. */
+static void swap_unknowns(struct ph_g2_system *s) {
+  double *swap = s->now.y;
+  s->now.y = s->last;
+  s->last = swap;
+}
+
+/* Goes along the step until the residual falls; where it does not, what is
+ * evaluated is the iterate that there was. */
 static bool descend(struct ph_g2_system *s, double largest, size_t halvings) {
+  const double before = sqrt(s->now.norm2);
   double part = fmin(1, STEP_MAX / largest);
+  swap_unknowns(s);
   for (size_t halving = 0; halving <= halvings; halving++, part /= 2) {
-    double most = (1 - ARMIJO * part) * sqrt(s->now.norm2);
     for (size_t k = 0; k < s->chain->nodes_n; k++) {
-      s->next.y[k] = s->now.y[k] + part * s->step[k];
+      s->now.y[k] = s->last[k] + part * s->x[k].re;
     }
-    if (ph_g2_system_evaluate(s, &s->next) && sqrt(s->next.norm2) <= most) {
-      struct ph_g2_state swap = s->now;
-      s->now = s->next;
-      s->next = swap;
+    if (ph_g2_system_evaluate(s) &&
+        sqrt(s->now.norm2) <= (1 - ARMIJO * part) * before) {
       return true;
     }
   }
+  swap_unknowns(s);
+  (void)ph_g2_system_evaluate(s);
   return false;
 }
 
@@ -102,7 +109,7 @@ static bool is_rounding(const struct ph_g2_system *s) {
                                  angle_error(at, k) +
                              fabs(at->ends[l].g_a) * angle_error(at, l) +
                              fabs(at->ends[k].f_b) * angle_error(at, next)));
-    if (!(fabs(ph_g2_system_residual(s, at, k)) < most)) {
+    if (!(fabs(ph_g2_system_residual(s, k)) < most)) {
       return false;
     }
   }
@@ -112,7 +119,7 @@ static bool is_rounding(const struct ph_g2_system *s) {
 /* From s->now.y.  ret whether s->now is a solution */
 static bool newton(struct ph_g2_system *s, size_t most, size_t halvings,
                    const struct ph_arena *arena) {
-  if (!ph_g2_system_evaluate(s, &s->now)) {
+  if (!ph_g2_system_evaluate(s)) {
     return false;
   }
   for (size_t i = 0; i < most && !ph_arena_late(arena); i++) {
@@ -199,19 +206,13 @@ static bool alloc_state(struct ph_g2_state *at, const struct ph_g2_chain *c,
 static bool alloc_system(struct ph_g2_system *s, struct ph_arena *arena) {
   const struct ph_g2_chain *c = s->chain;
   const size_t nodes = c->nodes_n;
-  double *v = ph_arena_array(arena, nodes, 4 * sizeof *v);
+  s->turn = ph_arena_array(arena, nodes, sizeof *s->turn);
+  s->last = ph_arena_array(arena, nodes, sizeof *s->last);
   s->log_length = ph_arena_array(arena, c->n, sizeof *s->log_length);
   s->kind = ph_arena_array(arena, nodes, sizeof *s->kind);
   s->x = ph_arena_array(arena, nodes, sizeof *s->x);
-  if (!v || !s->log_length || !s->kind || !s->x) {
-    return false;
-  }
-  s->turn = v;
-  s->scale = v + nodes;
-  s->known = v + 2 * nodes;
-  s->step = v + 3 * nodes;
-  return alloc_state(&s->now, c, arena) && alloc_state(&s->next, c, arena) &&
-         ph_tri_alloc(&s->tri, arena, nodes);
+  return s->turn && s->last && s->log_length && s->kind && s->x &&
+         alloc_state(&s->now, c, arena) && ph_tri_alloc(&s->tri, arena, nodes);
 }
 
 static bool any_unknown(const struct ph_g2_system *s) {
@@ -326,7 +327,7 @@ static void mark_residuals(const struct ph_g2_system *s) {
   const struct ph_g2_chain *c = s->chain;
   for (size_t k = 0; k < c->nodes_n; k++) {
     if (s->kind[k] != PH_G2_KNOWN &&
-        !(fabs(ph_g2_system_residual(s, &s->now, k)) < HARD * s->now.largest)) {
+        !(fabs(ph_g2_system_residual(s, k)) < HARD * s->now.largest)) {
       const size_t before = ph_g2_before(c, k);
       ph_g2_mark(c, before, before + 1, PH_G2_HARD);
       ph_g2_mark(c, k, k + 1, PH_G2_HARD);
@@ -348,7 +349,7 @@ static enum ph_status find_long(struct ph_g2_system *s,
     return PH_E_NO_MEMORY;
   }
   ph_g2_system_start(s, false);
-  (void)ph_g2_system_evaluate(s, &s->now); /* the tangents between blocks */
+  (void)ph_g2_system_evaluate(s); /* the tangents between blocks */
   ph_team_share(arena, n, BLOCKS_SHARED, 1, solve_some_blocks, &b);
   status = judge_blocks(s, b.block, n);
   if (status == PH_OK && !newton(s, NEWTON_MAX, HALVINGS_MAX, arena)) {
@@ -361,7 +362,7 @@ static enum ph_status find_long(struct ph_g2_system *s,
 static enum ph_status find_any(struct ph_g2_system *s, struct ph_arena *arena) {
   enum ph_status status;
   if (!any_unknown(s)) {
-    return ph_g2_system_evaluate(s, &s->now) ? PH_OK : PH_E_NO_CONVERGENCE;
+    return ph_g2_system_evaluate(s) ? PH_OK : PH_E_NO_CONVERGENCE;
   }
   if (s->chain->nodes_n > LONG) {
     return find_long(s, arena);

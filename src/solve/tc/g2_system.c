@@ -63,16 +63,17 @@ static bool begin_some(void *context, size_t thread, size_t first, size_t end) {
     s->log_length[i] = log(c->span[i].length);
   }
   for (size_t k = first; k < end; k++) {
-    s->kind[k] = kind_of(c, k);
+    s->kind[k] = (unsigned char)kind_of(c, k);
     s->turn[k] = c->node[k].sign < 0 ? -c->node[k].turn : c->node[k].turn;
-    s->scale[k] = s->kind[k] == PH_G2_BETWEEN_BENDS ? turn_around(c, k) : 1;
-    s->known[k] = 0;
-    if (c->node[k].inner && s->kind[k] == PH_G2_KNOWN &&
-        before(c, k)->form != PH_G2_LINE) {
-      s->known[k] = s->turn[k];
-    }
   }
   return true;
+}
+
+/* The angle before a known node. */
+static double known_angle(const struct ph_g2_system *s, size_t k) {
+  return s->chain->node[k].inner && before(s->chain, k)->form != PH_G2_LINE
+             ? s->turn[k]
+             : 0;
 }
 
 void ph_g2_system_begin(struct ph_g2_system *s) {
@@ -123,7 +124,7 @@ static const double OF_OTHER = 0.2, LEAST = 1e-14;
 
 /* The angle before node k where the iteration begins. */
 static double first_angle(const struct ph_g2_system *s, size_t k, bool halves) {
-  return s->kind[k] == PH_G2_KNOWN ? s->known[k]
+  return s->kind[k] == PH_G2_KNOWN ? known_angle(s, k)
          : halves                  ? s->turn[k] / 2
                                    : circle_angle(s->chain, k, s->turn[k]);
 }
@@ -147,7 +148,7 @@ static double first_unknown(const struct ph_g2_system *s, size_t k,
   }
   return s->kind[k] == PH_G2_SHARED
              ? fmax(-START_MAX, fmin(log(b / a), START_MAX))
-             : b / s->scale[k];
+             : b / turn_around(c, k);
 }
 
 struct starting {
@@ -177,14 +178,13 @@ void ph_g2_system_start(struct ph_g2_system *s, bool halves) {
 /* One iterate that is being evaluated. */
 struct evaluation {
   const struct ph_g2_system *s;
-  struct ph_g2_state *at;
   atomic_bool refused;
 };
 
 static bool set_angles(void *context, size_t thread, size_t first, size_t end) {
   const struct evaluation *evaluation = context;
   const struct ph_g2_system *s = evaluation->s;
-  struct ph_g2_state *at = evaluation->at;
+  const struct ph_g2_state *at = &s->now;
   (void)thread;
   for (size_t k = first; k < end; k++) {
     double phi = s->h * s->turn[k], y = at->y[k], e, b, rate;
@@ -204,11 +204,11 @@ static bool set_angles(void *context, size_t thread, size_t first, size_t end) {
       b = rate = exp(y);
       break;
     case PH_G2_BETWEEN_BENDS:
-      b = y * s->scale[k];
-      rate = s->scale[k];
+      rate = turn_around(s->chain, k);
+      b = y * rate;
       break;
     default:
-      b = s->h * s->known[k];
+      b = s->h * known_angle(s, k);
       rate = 0;
       break;
     }
@@ -233,9 +233,9 @@ static bool has_rule(const struct ph_g2_system *s, size_t end) {
 }
 
 /* The angle at an end of open data, in the sense of its span. */
-static double end_angle(const struct ph_g2_system *s,
-                        const struct ph_g2_state *at, size_t end) {
+static double end_angle(const struct ph_g2_system *s, size_t end) {
   const struct ph_g2_chain *c = s->chain;
+  const struct ph_g2_state *at = &s->now;
   double slope;
   if (c->given[end]) {
     return s->h * s->turn[end * c->n];
@@ -250,18 +250,18 @@ static double end_angle(const struct ph_g2_system *s,
 }
 
 /* Residual of node k, known or not. */
-double ph_g2_system_residual(const struct ph_g2_system *s,
-                             const struct ph_g2_state *at, size_t k) {
+double ph_g2_system_residual(const struct ph_g2_system *s, size_t k) {
+  const struct ph_g2_ends *ends = s->now.ends;
   return s->kind[k] == PH_G2_KNOWN
              ? 0
-             : at->ends[ph_g2_before(s->chain, k)].g - at->ends[k].f;
+             : ends[ph_g2_before(s->chain, k)].g - ends[k].f;
 }
 
 static bool set_ends(void *context, size_t thread, size_t first, size_t end) {
   struct evaluation *evaluation = context;
   const struct ph_g2_system *s = evaluation->s;
   const struct ph_g2_chain *c = s->chain;
-  const struct ph_g2_state *at = evaluation->at;
+  const struct ph_g2_state *at = &s->now;
   (void)thread;
   for (size_t i = first; i < end; i++) {
     double a = at->after[i], b = at->before[ph_g2_next(c, i)];
@@ -286,24 +286,24 @@ static bool add_residuals(void *context, size_t thread, size_t first,
   struct ph_g2_sum sum = {0, 0};
   (void)thread;
   for (size_t k = first; k < end; k++) {
-    double f = ph_g2_system_residual(evaluation->s, evaluation->at, k);
+    double f = ph_g2_system_residual(evaluation->s, k);
     sum.norm2 += f * f;
     sum.largest = fmax(sum.largest, fabs(f));
   }
-  evaluation->at->sum[first / PH_G2_PART] = sum;
+  evaluation->s->now.sum[first / PH_G2_PART] = sum;
   return true;
 }
 
-bool ph_g2_system_evaluate(const struct ph_g2_system *s,
-                           struct ph_g2_state *at) {
+bool ph_g2_system_evaluate(struct ph_g2_system *s) {
   const struct ph_g2_chain *c = s->chain;
   const size_t nodes = c->nodes_n;
-  struct evaluation e = {.s = s, .at = at};
+  struct ph_g2_state *at = &s->now;
+  struct evaluation e = {.s = s};
   atomic_init(&e.refused, false);
   ph_g2_share(s->arena, nodes, set_angles, &e);
   if (!c->closed) {
-    at->after[0] = end_angle(s, at, 0);
-    at->before[c->n] = end_angle(s, at, 1);
+    at->after[0] = end_angle(s, 0);
+    at->before[c->n] = end_angle(s, 1);
   }
   ph_g2_share(s->arena, c->n, set_ends, &e);
   if (atomic_load(&e.refused)) {
@@ -330,7 +330,7 @@ struct ph_tri_row ph_g2_system_row(const struct ph_g2_system *s, size_t k) {
   if (s->kind[k] == PH_G2_KNOWN) {
     return row;
   }
-  row.f.re = -ph_g2_system_residual(s, at, k);
+  row.f.re = -ph_g2_system_residual(s, k);
   row.di.re = (at->ends[l].g_b + at->ends[k].f_a) * at->rate[k];
   row.lo.re = -at->ends[l].g_a * at->rate[l];
   row.up.re = -at->ends[k].f_b * at->rate[next];

@@ -49,13 +49,12 @@ struct ph_g2_system {
   const struct ph_arena *arena; /* its threads share what is long */
   double h;                     /* continuation */
   double smooth[2];             /* angles at the ends; NaN where the rule is */
-  enum ph_g2_kind *kind;        /* [nodes] */
-  double *turn, *scale; /* [nodes] in the sense of the node; see above */
-  double *known;        /* [nodes] b before it, of known nodes */
-  double *log_length;   /* [n] */
-  double *step;         /* [nodes] */
-  ph_cplx *x;           /* [nodes] */
-  struct ph_g2_state now, next;
+  unsigned char *kind;          /* [nodes] enum ph_g2_kind */
+  double *turn;                 /* [nodes] in the sense of the node */
+  double *log_length;           /* [n] */
+  ph_cplx *x;                   /* [nodes] the step, in its real parts */
+  double *last;                 /* [nodes] unknowns that it begins at */
+  struct ph_g2_state now;
   struct ph_tri tri;
   size_t iterations;
 };
@@ -77,16 +76,14 @@ bool ph_g2_system_part(const struct ph_g2_system *s, size_t first, size_t n,
 void ph_g2_system_start(struct ph_g2_system *s, bool halves);
 
 /*
- * ph_g2_system_evaluate: all of an iterate from its unknowns.
+ * ph_g2_system_evaluate: all of the iterate s->now from its unknowns.
  *
  * ret  false: it is not allowed
  */
-bool ph_g2_system_evaluate(const struct ph_g2_system *s,
-                           struct ph_g2_state *at);
+bool ph_g2_system_evaluate(struct ph_g2_system *s);
 
-/* ph_g2_system_residual: of node k, known or not. */
-double ph_g2_system_residual(const struct ph_g2_system *s,
-                             const struct ph_g2_state *at, size_t k);
+/* ph_g2_system_residual: of node k, known or not, at s->now. */
+double ph_g2_system_residual(const struct ph_g2_system *s, size_t k);
 
 /* ph_g2_system_row: of Newton's method, at s->now. */
 struct ph_tri_row ph_g2_system_row(const struct ph_g2_system *s, size_t k);
