@@ -34,7 +34,7 @@
  * does so all along counts as meeting itself.
  */
 enum {
-  STORED = 2,
+  STORED = 3,
   LEVELS = 64,
   STEPS_EACH = 1024,
   STEPS = 1 << 16,

@@ -45,7 +45,7 @@ struct ph_cross {
  * ph_cross_planar: looks for a meeting of a curve with itself.
  *
  * O(n log n) time for n segments where each is near a bounded number of others,
- * and 40 bytes a segment of memory.
+ * and 20 bytes a segment of memory.
  *
  * in   scratch  memory given back before the return
  * ret  PH_OK | PH_E_NOT_FINITE | PH_E_NO_MEMORY

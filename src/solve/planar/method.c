@@ -47,7 +47,9 @@ struct task {
   struct ph_result *result;
   struct ph_diag *diag;
   struct ph_planar_data data;
-  ph_cplx *b; /* [unknowns] a solution */
+  struct ph_arena equations;  /* of what only they need */
+  size_t reversals, reversal; /* how often the data turn back, where first */
+  ph_cplx *b;                 /* [unknowns] a solution */
   size_t iterations;
   double residual;
   struct ph_planar_loops loops; /* of the curve */
@@ -92,14 +94,12 @@ static size_t reversals(const struct ph_planar_data *d, size_t *first) {
   return found;
 }
 
-static void warn_reversals(const struct ph_planar_data *d,
-                           struct ph_result *result) {
-  size_t first, found = reversals(d, &first);
-  if (found) {
-    ph_warn(result, first, PH_W_REVERSAL,
+static void warn_reversals(const struct task *t) {
+  if (t->reversals > 0) {
+    ph_warn(t->result, t->reversal, PH_W_REVERSAL,
             "the data turn back by 180 degrees at points[%zu] (such points: "
             "%zu): of two mirror images the left turn was taken",
-            first, found);
+            t->reversal, t->reversals);
   }
 }
 
@@ -122,20 +122,28 @@ static enum ph_status advise(const struct ph_problem *problem,
 
 /* Tells of another curve that is about as fair; but for the mirror image where
  * the data turn back, of which it is told that the left turn was taken. */
-static void warn_other(const struct ph_planar_data *d,
-                       const struct ph_planar_choice *choice,
-                       struct ph_result *result) {
-  size_t first;
+static void warn_other(const struct task *t,
+                       const struct ph_planar_choice *choice) {
+  const struct ph_planar_data *d = &t->data;
   if (isnan(choice->other_ies) ||
-      (is_same(choice->other_ies, choice->ies) && reversals(d, &first) > 0)) {
+      (is_same(choice->other_ies, choice->ies) && t->reversals > 0)) {
     return;
   }
-  ph_warn(result, PH_NO_SEGMENT, PH_W_AMBIGUOUS,
+  ph_warn(t->result, PH_NO_SEGMENT, PH_W_AMBIGUOUS,
           "another good curve exists, of length %.6g and an IES of %.4g; that "
           "of this one is %.4g%s",
           ldexp(choice->other_length, -d->exponent), choice->other_ies,
           choice->ies,
           d->n <= PH_PLANAR_ALL_MAX ? "; \"solutions\":\"all\" shows all" : "");
+}
+
+/* Frees what the equations need, where nothing else does any more. */
+static void forget_equations(struct task *t) {
+  if (t->data.n > KANTOROVICH_MAX) {
+    ph_arena_free(&t->equations);
+    t->data.chord = t->data.c2.ratio = NULL;
+    t->data.c2.direction = NULL;
+  }
 }
 
 /* The good solution, and the curve. */
@@ -153,6 +161,7 @@ static enum ph_status solve_good(struct task *t) {
                               &choice, t->diag);
   }
   if (status == PH_OK) {
+    forget_equations(t);
     status =
         ph_planar_curve_alloc(&t->data, t->out, &t->result->curve, t->diag);
   }
@@ -163,7 +172,7 @@ static enum ph_status solve_good(struct task *t) {
                        &t->loops);
   t->iterations = report.iterations;
   t->residual = report.residual;
-  warn_other(&t->data, &choice, t->result);
+  warn_other(t, &choice);
   return PH_OK;
 }
 
@@ -331,18 +340,19 @@ static enum ph_status report(struct task *t) {
     return ph_fail_memory(t->diag);
   }
   ph_warn_alpha(&result->curve, result);
-  warn_reversals(&t->data, result);
+  warn_reversals(t);
   warn_loops(&t->loops, result);
   return PH_OK;
 }
 
 static enum ph_status solve_task(struct task *t) {
   const struct ph_value *field = t->problem->field;
-  enum ph_status status =
-      ph_planar_data_of(t->problem, t->scratch, &t->data, t->diag);
+  enum ph_status status = ph_planar_data_of(t->problem, t->scratch,
+                                            &t->equations, &t->data, t->diag);
   if (status != PH_OK) {
     return status;
   }
+  t->reversals = reversals(&t->data, &t->reversal);
   t->b =
       ph_arena_array(t->scratch, ph_planar_unknowns(&t->data.c2), sizeof *t->b);
   if (!t->b) {
@@ -366,9 +376,11 @@ static enum ph_status solve(const struct ph_problem *problem,
   struct task t = {.problem = problem,
                    .out = out,
                    .scratch = scratch,
+                   .equations = ph_arena_beside(scratch),
                    .result = result,
                    .diag = diag};
   enum ph_status status = solve_task(&t);
+  ph_arena_free(&t.equations);
   ph_arena_release(scratch, mark);
   return status;
 }

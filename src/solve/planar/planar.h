@@ -46,11 +46,15 @@ struct ph_planar_data {
 /*
  * ph_planar_data_of: reads and checks a problem.
  *
+ * in   arena      memory of the data, but for what
+ * in   equations  has: chords, and the directions and ratios of data->c2, which
+ *                 a curve is not filled from
  * ret  PH_OK | PH_E_TOO_FEW_POINTS | PH_E_COINCIDENT_POINTS | PH_E_BAD_SHAPE |
  *      PH_E_BAD_VALUE | PH_E_ZERO_TANGENT | PH_E_TOO_LARGE | PH_E_NO_MEMORY
  */
 enum ph_status ph_planar_data_of(const struct ph_problem *problem,
                                  struct ph_arena *arena,
+                                 struct ph_arena *equations,
                                  struct ph_planar_data *data,
                                  struct ph_diag *diag);
 

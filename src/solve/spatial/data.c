@@ -359,6 +359,21 @@ static enum ph_status check_speeds(struct reading *r) {
   return PH_OK;
 }
 
+/* Points in space; those of a plane get a third coordinate. */
+static const double *points_in_space(const struct ph_value *given, size_t n,
+                                     struct ph_arena *arena) {
+  double *points;
+  if (given->dimension == 3) {
+    return given->v;
+  }
+  points = ph_arena_array(arena, n, 3 * sizeof *points);
+  for (size_t k = 0; points && k < n; k++) {
+    ph_vec3 v = ph_fields_vector(given, k);
+    memcpy(points + 3 * k, &v, sizeof v);
+  }
+  return points;
+}
+
 static enum ph_status read_points(struct reading *r) {
   struct ph_spatial_points *p = r->points;
   enum ph_status status = ph_fields_segments(r->problem, &p->n, r->diag);
@@ -366,16 +381,13 @@ static enum ph_status read_points(struct reading *r) {
     return status;
   }
   p->points_n = p->closed ? p->n : p->n + 1;
-  p->points = ph_arena_array(r->arena, p->points_n, 3 * sizeof *p->points);
+  p->points =
+      points_in_space(&r->problem->field[PH_F_POINTS], p->points_n, r->arena);
   p->knots = ph_arena_array(r->arena, p->n + 1, sizeof *p->knots);
   p->lambda = ph_arena_array(r->arena, p->n, sizeof *p->lambda);
   p->tension = ph_arena_array(r->arena, p->n, sizeof *p->tension);
   if (!p->points || !p->knots || !p->lambda || !p->tension) {
     return ph_fail_memory(r->diag);
-  }
-  for (size_t k = 0; k < p->points_n; k++) {
-    ph_vec3 v = ph_fields_vector(&r->problem->field[PH_F_POINTS], k);
-    memcpy(p->points + 3 * k, &v, sizeof v);
   }
   return PH_OK;
 }

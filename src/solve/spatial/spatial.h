@@ -389,14 +389,14 @@ struct ph_spatial_points {
   bool derivatives; /* given: what ends have is a promise */
   bool estimated;   /* tangents, from the points */
   double planarity;
-  ph_vec3 normal;    /* unit, of the plane of all data; 0: they have none */
-  double *points;    /* [points_n][3] */
-  ph_vec3 *tangents; /* [points_n], unit */
-  double *speeds;    /* [points_n] |derivative|, or NULL */
-  double *knots;     /* [n + 1] */
-  double *lambda;    /* [n] |Di| and |Df| at tension 1, from the knots */
-  double *tension;   /* [n] initial s */
-  double *alpha;     /* [n]; NULL: 0, or to be chosen */
+  ph_vec3 normal;       /* unit, of the plane of all data; 0: they have none */
+  const double *points; /* [points_n][3] those of the problem, or copies */
+  ph_vec3 *tangents;    /* [points_n], unit */
+  double *speeds;       /* [points_n] |derivative|, or NULL */
+  double *knots;        /* [n + 1] */
+  double *lambda;       /* [n] |Di| and |Df| at tension 1, from the knots */
+  double *tension;      /* [n] initial s */
+  double *alpha;        /* [n]; NULL: 0, or to be chosen */
 };
 
 /*
