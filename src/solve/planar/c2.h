@@ -286,14 +286,16 @@ enum ph_planar_quick {
  * in    clock       knows how much time there is
  * in    solved      max |F| that is a solution
  * out   b[unknowns]
- * -     work[n], inverse[n]
+ * -     work[n], inverse[n], up[n]
  * inout iterations
  * out   m           of b, unless there is none
  */
-enum ph_planar_quick
-ph_planar_c2_quick(struct ph_planar_c2 *c2, const struct ph_arena *clock,
-                   double solved, ph_cplx *b, ph_cplx *work, double *inverse,
-                   size_t *iterations, struct ph_planar_measure *m);
+enum ph_planar_quick ph_planar_c2_quick(struct ph_planar_c2 *c2,
+                                        const struct ph_arena *clock,
+                                        double solved, ph_cplx *b,
+                                        ph_cplx *work, double *inverse,
+                                        ph_cplx *up, size_t *iterations,
+                                        struct ph_planar_measure *m);
 
 /* ---- the theorem of Kantorovich ------------------------------------------ */
 

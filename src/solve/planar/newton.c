@@ -146,7 +146,7 @@ static bool try_quick(struct ph_planar_c2 *c2, struct work *w,
   enum ph_planar_quick found = PH_PLANAR_QUICK_NONE;
   if (w->inverse) {
     found = ph_planar_c2_quick(c2, w->arena, SOLVED, w->b, w->step, w->inverse,
-                               iterations, m);
+                               w->tri.far, iterations, m);
   }
   if (found == PH_PLANAR_QUICK_SOLVED ||
       (found == PH_PLANAR_QUICK_NEAR &&

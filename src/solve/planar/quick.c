@@ -19,8 +19,10 @@
  * so that the step solves a real tridiagonal system T s = 3/2 F |c| / (h b);
  * rows of open ends are [1, 1] s = (w^2 - d) / w.  The error falls by the
  * square of the turn from one datum to the next over 12, about.  T is the same
- * in every step.  Its factors forget where elimination began: that of a closed
- * curve begins WARM rows before the cut.  [Derived here]
+ * in every step.  Where neighbours agree less, the steps are Newton's, with the
+ * rows of F' as they are, which need no pivots there.  The factors of both
+ * forget where elimination began: that of a closed curve begins WARM rows
+ * before the cut.  [Derived here]
  */
 #include "solve/planar/c2.h"
 
@@ -29,10 +31,12 @@
 enum { WARM = 32, STEPS = 8 };
 
 /* Relative closing errors of the start: above FAR others begin, below NEAR the
- * steps (3) are good; they are given up where one does not gain WANTED. */
+ * steps (3) are good, between them Newton's; they are given up where one does
+ * not gain WANTED. */
 static const double FAR = 0.05, NEAR = 1e-4, WANTED = 0.1;
-/* Below, the next step is likely the last one. */
-static const double LAST = 1e-10;
+/* Below, the next step is likely the last one: (3), and Newton's, whose error
+ * is a quarter of the square of the last one, about. */
+static const double LAST = 1e-10, LAST_OF_NEWTON = 5e-7;
 
 struct quick {
   const struct ph_planar_c2 *c2;
@@ -42,6 +46,8 @@ struct quick {
   ph_cplx *b;      /* [n] of the segments; open: b[-1] and b[n], too */
   ph_cplx *work;   /* [n] roots, right-hand sides */
   double *inverse; /* [n] of pivots of T */
+  bool is_newton;  /* the steps are Newton's: */
+  ph_cplx *up;     /* [n] what is above the diagonal over the pivots */
 };
 
 /* ---- the start ----------------------------------------------------------- */
@@ -180,41 +186,87 @@ static inline void measure(struct ph_planar_measure *m, size_t k, ph_cplx f) {
 /* Elimination so far: 1 / pivot times what is above the diagonal, and the
  * right-hand side. */
 struct row {
-  double up;
-  ph_cplx f;
+  ph_cplx up, f;
 };
+
+/* w at the beginning of a segment. */
+static ph_cplx first_of(const struct quick *q, size_t k) {
+  const struct ph_planar_c2 *c2 = q->c2;
+  return !c2->closed && k == 0 ? ph_planar_at_knot(0.5, q->b[-1], q->b[0])
+         : k > 0 ? ph_planar_at_knot(c2->y[k], q->b[k - 1], q->b[k])
+                 : ph_planar_at_knot(c2->y[k],
+                                     ph_cplx_scale(q->twist, q->b[c2->n - 1]),
+                                     q->b[k]);
+}
+
+/* Moves w to segment k. */
+static inline void next_segment(const struct quick *q, size_t k, ph_cplx w[3]) {
+  const struct ph_planar_c2 *c2 = q->c2;
+  w[0] = w[2];
+  w[1] = q->b[k];
+  w[2] = ph_planar_at_knot(c2->y[k + 1], w[1],
+                           !c2->closed || k + 1 < c2->n
+                               ? q->b[k + 1]
+                               : ph_cplx_scale(q->twist, q->b[0]));
+}
 
 /* Rows from .. to - 1 of T s, eliminated from `above` on; the measure of F. */
 static struct row eliminate(struct quick *q, size_t from, size_t to,
                             bool factors, struct row above,
                             struct ph_planar_measure *m) {
   const struct ph_planar_c2 *c2 = q->c2;
-  const size_t n = c2->n;
   ph_cplx w[3];
-  w[2] = ph_planar_at_knot(
-      c2->y[from],
-      from > 0 ? q->b[from - 1] : beyond(q, q->root[0], q->b[0], q->b[n - 1]),
-      q->b[from]);
-  if (!c2->closed && from == 0) {
-    w[2] = ph_planar_at_knot(0.5, q->b[-1], q->b[0]);
-  }
+  w[2] = first_of(q, from);
   for (size_t k = from; k < to; k++) {
     const double low = c2->y[k], high = c2->y[k + 1];
-    ph_cplx after, f, r;
-    after = !c2->closed || k + 1 < n ? q->b[k + 1]
-                                     : ph_cplx_scale(q->twist, q->b[0]);
-    w[0] = w[2];
-    w[1] = q->b[k];
-    w[2] = ph_planar_at_knot(high, w[1], after);
+    ph_cplx f, r;
+    next_segment(q, k, w);
     f = ph_planar_closing(c2, k, w);
     measure(m, k, f);
     r = over(1.5, f, c2->ratio[k], w[1]);
     if (factors) {
-      q->inverse[k] = 1 / (2 - low + high - low * above.up);
+      q->inverse[k] = 1 / (2 - low + high - low * above.up.re);
     }
-    above.up = (1 - high) * q->inverse[k];
+    above.up.re = (1 - high) * q->inverse[k];
     above.f.re = (r.re - low * above.f.re) * q->inverse[k];
     above.f.im = (r.im - low * above.f.im) * q->inverse[k];
+    q->work[k] = above.f;
+  }
+  return above;
+}
+
+/* The same of F' s: F[k] = s (e0 (w0^2 + w2^2) + e1 (w0 + w2) w1 + e2 w1^2 +
+ * e3 w0 w2) - c/|c|, s = h/|c|, by w0, w1 and w2. */
+static struct row eliminate_newton(struct quick *q, size_t from, size_t to,
+                                   struct row above,
+                                   struct ph_planar_measure *m) {
+  const struct ph_planar_c2 *c2 = q->c2;
+  const double *space = c2->space->q;
+  const double e0 = 2 * space[0], e1 = space[1], e2 = 2 * space[2],
+               e3 = space[3];
+  ph_cplx w[3];
+  w[2] = first_of(q, from);
+  for (size_t k = from; k < to; k++) {
+    const double low = c2->y[k], high = c2->y[k + 1], s = c2->ratio[k];
+    ph_cplx g0, g1, g2, f, down, here, inverse;
+    next_segment(q, k, w);
+    g0 = ph_cplx_of(s * (e0 * w[0].re + e1 * w[1].re + e3 * w[2].re),
+                    s * (e0 * w[0].im + e1 * w[1].im + e3 * w[2].im));
+    g1 = ph_cplx_of(s * (e1 * (w[0].re + w[2].re) + e2 * w[1].re),
+                    s * (e1 * (w[0].im + w[2].im) + e2 * w[1].im));
+    g2 = ph_cplx_of(s * (e0 * w[2].re + e1 * w[1].re + e3 * w[0].re),
+                    s * (e0 * w[2].im + e1 * w[1].im + e3 * w[0].im));
+    f = ph_cplx_add(ph_cplx_mul(g0, w[0]), ph_cplx_mul(g1, w[1]));
+    f = ph_cplx_add(f, ph_cplx_mul(g2, w[2]));
+    f = ph_cplx_sub(ph_cplx_scale(0.5, f), c2->direction[k]);
+    measure(m, k, f);
+    down = ph_cplx_scale(low, g0);
+    here = ph_cplx_of(g0.re - down.re + g1.re + high * g2.re,
+                      g0.im - down.im + g1.im + high * g2.im);
+    inverse = ph_cplx_inverse(ph_cplx_sub(here, ph_cplx_mul(down, above.up)));
+    above.f = ph_cplx_mul(ph_cplx_sub(f, ph_cplx_mul(down, above.f)), inverse);
+    above.up = ph_cplx_mul(ph_cplx_scale(1 - high, g2), inverse);
+    q->up[k] = above.up;
     q->work[k] = above.f;
   }
   return above;
@@ -235,7 +287,13 @@ static ph_cplx end_side(const struct quick *q, int side, ph_cplx a, ph_cplx b,
 /* b - s, from the last row up, beyond which s is x. */
 static ph_cplx substitute(struct quick *q, size_t n, ph_cplx x, bool move) {
   const struct ph_planar_c2 *c2 = q->c2;
-  for (size_t k = n; k-- > 0;) {
+  for (size_t k = q->is_newton ? n : 0; k-- > 0;) {
+    x = ph_cplx_sub(q->work[k], ph_cplx_mul(q->up[k], x));
+    if (move) {
+      q->b[k] = ph_cplx_sub(q->b[k], x);
+    }
+  }
+  for (size_t k = q->is_newton ? 0 : n; k-- > 0;) {
     const double up = (1 - c2->y[k + 1]) * q->inverse[k];
     x.re = q->work[k].re - up * x.re;
     x.im = q->work[k].im - up * x.im;
@@ -246,23 +304,33 @@ static ph_cplx substitute(struct quick *q, size_t n, ph_cplx x, bool move) {
   return x;
 }
 
+/* Rows by either step. */
+static struct row eliminate_any(struct quick *q, size_t from, bool factors,
+                                struct row above, struct ph_planar_measure *m) {
+  return q->is_newton ? eliminate_newton(q, from, q->c2->n, above, m)
+                      : eliminate(q, from, q->c2->n, factors, above, m);
+}
+
 /* The measure of F, and what `finish` needs for a step. */
 static struct ph_planar_measure prepare(struct quick *q, bool factors,
                                         ph_cplx *x) {
   const size_t n = q->c2->n;
   struct ph_planar_measure m = {0, 0, 0}, again = {0, 0, 0};
-  struct row above = {0, {0, 0}};
+  struct row above = {{0, 0}, {0, 0}};
   if (q->c2->closed) {
-    above = eliminate(q, n - WARM, n, factors, above, &again);
+    above = eliminate_any(q, n - WARM, factors, above, &again);
     above.f = ph_cplx_scale(q->twist, above.f);
-    eliminate(q, 0, n, factors, above, &m);
+    eliminate_any(q, 0, factors, above, &m);
     *x = ph_cplx_scale(q->twist, substitute(q, WARM, ph_cplx_of(0, 0), false));
   } else {
-    above.up = 1;
+    above.up.re = 1;
     above.f = q->end = end_side(q, 0, q->b[-1], q->b[0], &m);
-    above = eliminate(q, 0, n, factors, above, &m);
+    above = eliminate_any(q, 0, factors, above, &m);
     *x = ph_cplx_sub(end_side(q, 1, q->b[n - 1], q->b[n], &m), above.f);
-    *x = ph_cplx_scale(1 / (1 - above.up), *x);
+    *x = q->is_newton
+             ? ph_cplx_mul(
+                   *x, ph_cplx_inverse(ph_cplx_sub(ph_cplx_of(1, 0), above.up)))
+             : ph_cplx_scale(1 / (1 - above.up.re), *x);
   }
   return m;
 }
@@ -279,13 +347,14 @@ static void finish(struct quick *q, ph_cplx x) {
   }
 }
 
-/* Steps (3) from the start, of the measure *m; x is of the first one, if that
- * is prepared. */
+/* Steps from the start, of the measure *m; x is of the first one, if that is
+ * prepared. */
 static enum ph_planar_quick iterate(struct quick *q, const ph_cplx *b,
                                     const struct ph_arena *clock, double solved,
                                     bool prepared, ph_cplx x,
                                     size_t *iterations,
                                     struct ph_planar_measure *m) {
+  const double likely = q->is_newton ? LAST_OF_NEWTON : LAST;
   bool factors = !prepared;
   for (int i = 0; i < STEPS && !ph_arena_late(clock); i++) {
     struct ph_planar_measure last = *m;
@@ -298,7 +367,7 @@ static enum ph_planar_quick iterate(struct quick *q, const ph_cplx *b,
     }
     finish(q, x);
     ++*iterations;
-    prepared = last.max2 > LAST * LAST;
+    prepared = last.max2 > likely * likely;
     *m = prepared ? prepare(q, false, &x) : ph_planar_residual(q->c2, b);
     if (!(m->max2 <= WANTED * WANTED * last.max2)) {
       break;
@@ -308,27 +377,33 @@ static enum ph_planar_quick iterate(struct quick *q, const ph_cplx *b,
                                     : PH_PLANAR_QUICK_NEAR;
 }
 
-enum ph_planar_quick
-ph_planar_c2_quick(struct ph_planar_c2 *c2, const struct ph_arena *clock,
-                   double solved, ph_cplx *b, ph_cplx *work, double *inverse,
-                   size_t *iterations, struct ph_planar_measure *m) {
+enum ph_planar_quick ph_planar_c2_quick(struct ph_planar_c2 *c2,
+                                        const struct ph_arena *clock,
+                                        double solved, ph_cplx *b,
+                                        ph_cplx *work, double *inverse,
+                                        ph_cplx *up, size_t *iterations,
+                                        struct ph_planar_measure *m) {
   struct quick q = {.c2 = c2,
                     .twist = 1,
                     .b = c2->closed ? b : b + 1,
                     .work = work,
-                    .inverse = inverse};
+                    .inverse = inverse,
+                    .up = up};
   ph_cplx x = {0, 0};
-  bool rough;
+  bool prepared = true;
   if (!find_roots(&q)) {
     return PH_PLANAR_QUICK_NONE;
   }
-  rough = start(&q);
+  q.is_newton = start(&q);
   if (c2->closed) {
     c2->twist = ph_cplx_of(q.twist, 0);
   }
-  *m = rough ? ph_planar_residual(c2, b) : prepare(&q, true, &x);
-  return !(m->max2 <= FAR * FAR) ? PH_PLANAR_QUICK_NONE
-         : !(m->max2 <= NEAR * NEAR)
-             ? PH_PLANAR_QUICK_NEAR
-             : iterate(&q, b, clock, solved, !rough, x, iterations, m);
+  *m = prepare(&q, true, &x);
+  if (!q.is_newton && !(m->max2 <= NEAR * NEAR)) {
+    q.is_newton = true;
+    prepared = false;
+  }
+  return !(m->max2 <= FAR * FAR)
+             ? PH_PLANAR_QUICK_NONE
+             : iterate(&q, b, clock, solved, prepared, x, iterations, m);
 }
