@@ -196,6 +196,20 @@ mv out r
 run verify r
 equal 'a hairpin: verified' 0 "$status"
 
+# Two pairs of points that are all but one, and neighbours a third of the sphere
+# away: what rounding of the long legs leaves must not turn the short ones
+feed '{"points":[[0.576271,0.6476973321640934,0.498397],
+  [0.5762709287396113,0.6476973,0.49839741426183937],
+  [0.487903,-0.2546053614390359,-0.8349410842275974],
+  [0.487903,-0.25460536156524965,-0.8349410842450684],
+  [-0.6849059516297654,-0.377137,-0.623435]],"closed":true,"shape":false,
+  "model":"nielson"}' sphere -q --offset=1.7239214438040447
+equal 'points that are all but one: no gap' '0 []' \
+  "$status $(get 'offsets[0].gaps')"
+mv out r
+run verify r
+equal 'points that are all but one: verified' 0 "$status"
+
 # ---- too far -----------------------------------------------------------------
 
 for radius in 1 2; do

@@ -434,4 +434,4 @@ static bool start(struct ph_sphere_spline *s, struct ph_sphere_range range,
 }
 
 const struct ph_sphere_model ph_sphere_exact = {
-    "exact", segment, node, retension, move, reach, hug, start, NULL};
+    "exact", segment, node, retension, move, reach, hug, start, NULL, NULL};

@@ -237,6 +237,13 @@ static void warn(const struct task *t, struct ph_result *result) {
   }
 }
 
+static void join(struct ph_sphere_spline *s) {
+  const struct ph_sphere_range inner = ph_sphere_all(s->data);
+  for (size_t j = 0; s->model->join && j < inner.count; j++) {
+    s->model->join(s, ph_sphere_node(s->data, inner, j));
+  }
+}
+
 static enum ph_status solve(const struct ph_problem *problem,
                             struct ph_arena *out, struct ph_arena *scratch,
                             struct ph_result *result, struct ph_diag *diag) {
@@ -247,6 +254,7 @@ static enum ph_status solve(const struct ph_problem *problem,
     status = find(&t);
   }
   if (status == PH_OK) {
+    join(&t.spline);
     status = ph_sphere_curve(&t.spline, &t.shape,
                              t.raise.waived > 0 ? t.raise.ignored : NULL, out,
                              &result->curve, diag);

@@ -417,5 +417,16 @@ static bool last_resort(struct ph_sphere_spline *s,
   return ph_sphere_newton(s, range, work);
 }
 
+/* The shorter leg is as the longer one goes on, by (2): of that, rounding of d
+ * tells more, above all where d_i and d_{i+1} are nearly antipodal. */
+static void join(struct ph_sphere_spline *s, size_t i) {
+  const struct ph_sphere_data *d = s->data;
+  const double a = ph_sphere_left(d, i), b = ph_sphere_right(d, i);
+  ph_vec3 p = d->p[i], *l = &s->l[ph_sphere_before(d, i)], *r = &s->r[i];
+  ph_vec3 v = ph_s2_log(p, ph_vec3_add(p, a > b ? *l : *r));
+  v = ph_vec3_scale(a > b ? -b / a : -a / b, v);
+  *(a > b ? r : l) = ph_vec3_sub(ph_s2_exp(p, v), p);
+}
+
 const struct ph_sphere_model ph_sphere_nielson = {
-    "nielson", segment, node, NULL, move, reach, hug, start, last_resort};
+    "nielson", segment, node, NULL, move, reach, hug, start, last_resort, join};

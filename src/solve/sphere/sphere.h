@@ -208,6 +208,9 @@ struct ph_sphere_model {
    * NULL */
   bool (*last_resort)(struct ph_sphere_spline *s, struct ph_sphere_range range,
                       struct ph_sphere_work *work);
+  /* join: l and r of a solution beside node i, which is no end, as exactly in
+   * one direction as their rounding allows; or NULL: they are */
+  void (*join)(struct ph_sphere_spline *s, size_t i);
 };
 
 /* The models: velocities, truly G2 [derived in exact.c], and global
