@@ -58,6 +58,7 @@ static void check_end(struct ph_check *v, const struct ph_check_segment *s,
     ph_vec3 wanted =
         ph_check_direction(given->v + given->dimension * end, given->dimension);
     wanted = ph_vec3_unit(ph_vec3_normal(wanted, at));
+    wanted = ph_vec3_unit(ph_vec3_normal(wanted, at)); /* it may cancel */
     ph_check_heading(v, PH_CHECK_END, s, (double)end, wanted, 1);
   } else if (ph_check_is_word(v, PH_F_ENDS, "rest")) {
     ph_check_miss(v, PH_CHECK_END, ph_check_in(s->k, "control_points"),

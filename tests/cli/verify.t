@@ -557,6 +557,16 @@ verified 'a sphere, beside a cusp of an offset' 1 --problems=cusp
 refuses 'beside a cusp, another sign' sample_error cusp \
   '.offsets[0].samples[92].curvature *= -1'
 
+# a given direction that is all but that from the centre has a direction on the
+# sphere
+echo '{"points":[[1.5341570831649172e-53,0,0],
+  [1.5341570831649172e-53,2.8581699842317043e-60,0],
+  [1.5341570831649172e-53,0,3.083547329444929e-62]],"shape":true,
+  "radius":1.5341570831649172e-53,"model":"exact",
+  "end_tangents":[[0,0,1],[1,0,0]],"increase":"minimal"}' >up
+made sphere <up
+verified 'a sphere, a direction away from it' 1 --problems=up
+
 # a length between control points that are nearly antipodal is found to less
 cat >wide <<'EOF'
 {"points":[[1,0,0],[1,0.00002,0],[-0.91,0.412,0.0434],[-0.91,0.412,0.04335]],
