@@ -407,22 +407,24 @@ static void check_loop(struct context *c, const struct ph_loop *loop) {
   }
 }
 
-/* To which side a piece is; 0: it does not say. */
+/* To which side a piece is; 0: it does not say, or is nearer than rounding. */
 static double side_of_piece(struct context *c,
                             const struct ph_loop_piece *piece) {
   const double *in = piece->interval;
   struct ph_check_local local;
-  ph_vec3 from;
+  ph_vec3 at;
+  double left;
   if (!is_sound(c, piece) || piece->segment == PH_NO_SEGMENT) {
     return piece->angle > 0 ? -c->distance : piece->angle < 0 ? c->distance : 0;
   }
   ph_check_load(c->v, piece->segment, &c->segment);
   c->path.distance = 0;
   local = ph_check_local_at(&c->path, in[0]);
-  from =
-      ph_vec3_sub(ph_check_vector(c->v, piece->control_points, 2), local.point);
-  return copysign(c->distance,
-                  (in[1] - in[0]) * ph_vec3_cross(local.tangent, from).z);
+  at = ph_check_vector(c->v, piece->control_points, 2);
+  left = ph_vec3_cross(local.tangent, ph_vec3_sub(at, local.point)).z;
+  return fabs(left) > local.point_error + ph_check_reach(c->v, at)
+             ? copysign(c->distance, (in[1] - in[0]) * left)
+             : 0;
 }
 
 /* To which side pieces along the curve are: that of the distance, or where both

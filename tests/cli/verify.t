@@ -138,6 +138,14 @@ echo '{"points":[[23117.463683140613,17638.662272387228],
 made planar --offset=-2.9e-16 --offset-mode=trimmed <short
 verified 'a loop with legs of a few roundings' 1 --problems=short
 
+# to which side of the curve such a loop is, rounding would tell
+echo '{"points":[[2653482246.0291743,1663516652.3456593],
+  [2653482246.018706,1663516651.7907066],
+  [2653482246.0171638,1663516651.7872407]],"closed":true,"basis":"atph",
+  "knots":[0,0.14980688907177112,0.4500433536708387,0.6029757338131245]}' >short
+made planar --offset=-4.08e-9 --offset-mode=trimmed --offset-ends=round <short
+verified 'a loop nearer than rounding' 1 --problems=short
+
 # an offset nearer than points are apart: every part of the curve is as far from
 # its places, and cutting all of them for the nearest had no end
 echo '{"points":[[-44978494816.67456,-12164212188.319405],
