@@ -390,8 +390,9 @@ static bool gather(struct ph_check *v, struct ph_curve *c) {
   c->preimage.alpha = ph_arena_array(v->scratch, n, sizeof(double));
   v->length = ph_arena_array(v->scratch, n, sizeof *v->length);
   v->noise = ph_arena_array(v->scratch, n, sizeof *v->noise);
+  v->rooted = ph_arena_array(v->scratch, n, sizeof *v->rooted);
   if (!c->knots || !c->lengths || !c->control_points || !c->preimage.v ||
-      !c->preimage.alpha || !v->length || !v->noise) {
+      !c->preimage.alpha || !v->length || !v->noise || !v->rooted) {
     return false;
   }
   for (size_t k = 0; k < n; k++) {
@@ -402,6 +403,7 @@ static bool gather(struct ph_check *v, struct ph_curve *c) {
     memcpy(c->control_points + 18 * k, s->control_points, 18 * sizeof(double));
     memcpy(c->preimage.v + 12 * k, s->preimage, 12 * sizeof(double));
     v->noise[k] = 0;
+    v->rooted[k] = false;
   }
   c->knots[n] = (double)n;
   return true;

@@ -8,11 +8,11 @@
 enum { PLACES = 32, STEPS = 40 };
 
 struct ph_check_dips ph_check_dips_of(double (*f)(const void *, double),
-                                      const struct ph_check_segment *s) {
+                                      const void *of) {
   struct ph_check_dips dips = {.low = HUGE_VAL};
   double g[PLACES + 1];
   for (size_t i = 0; i <= PLACES; i++) {
-    g[i] = f(s, (double)i / PLACES);
+    g[i] = f(of, (double)i / PLACES);
     dips.high = ph_check_larger(dips.high, g[i]);
     dips.low = ph_check_smaller(dips.low, g[i]);
   }
@@ -21,7 +21,7 @@ struct ph_check_dips ph_check_dips_of(double (*f)(const void *, double),
     if ((i == 0 || g[i] < g[before]) && (i == PLACES || g[i] <= g[after])) {
       struct ph_bracket b = {(double)before / PLACES, (double)i / PLACES,
                              (double)after / PLACES, g[i]};
-      ph_golden(f, s, STEPS, &b);
+      ph_golden(f, of, STEPS, &b);
       dips.low = ph_check_smaller(dips.low, b.value);
       if (b.x > 0 && b.x < 1) {
         dips.x[dips.n++] = b.x;

@@ -17,9 +17,9 @@ struct ph_check_dips {
   size_t n;
 };
 
-/* ph_check_dips_of: of f(segment, u). */
+/* ph_check_dips_of: of f(of, u). */
 struct ph_check_dips ph_check_dips_of(double (*f)(const void *, double),
-                                      const struct ph_check_segment *s);
+                                      const void *of);
 
 /* ph_check_slow_of: of |r'|^2, where it falls far below its largest value; else
  * none, with a bound as low, and high is not known.  What is in the convex hull

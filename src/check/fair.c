@@ -1,11 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * How fair a curve is, against quadrature of what follows from its control
- * points.  With sigma = |r'|, C = r' x r'' and primes by u,
- *
- *   kappa = |C| / sigma^3,  kappa' = |C|' / sigma^3 - 3 kappa sigma' / sigma,
- *   tau = C . r''' / |C|^2,
- *   tau' = C . r'''' / |C|^2 - 2 tau C . C' / |C|^2,  C' = r' x r'''     (1)
+ * How fair a curve is, against quadrature of what follows from its preimage, or
+ * its control points.  With sigma = |r'|, and kappa', tau' by u (bend.h),
  *
  *   energy   E   = integral of kappa^2 sigma
  *            MV  = integral of kappa'^2 / sigma
@@ -14,11 +10,11 @@
  *            integral of tau'^2 / sigma, summed
  *   rotation_index, absolute   integrals of kappa sigma, |kappa| sigma / 2 pi
  *
- * Where a curve nearly stops, these are large, and rounding of control points
- * changes them: by how much is integrated, too.
+ * Where a curve nearly stops, these are large, and rounding changes them: by
+ * how much is integrated, too.
  */
+#include "check/bend.h"
 #include "check/checks.h"
-#include "check/dips.h"
 
 #include "base/sum.h"
 #include "base/team.h"
@@ -35,99 +31,23 @@ enum { PART = 64 };
 /* Claims that were integrated to less are not looked at closer. */
 static const double CLAIMED = 1e-10;
 
-/* Derivatives are as uncertain as (note.h) and change as fast as that. */
-static const double NEXT = PH_CHECK_ROUND_NEXT;
-
-/* A torsion that comes and goes with changes of r' by this, relative, is that
- * of a plane curve. */
-static const double PLANE = 1e-10;
-
 /* To how much claims of space curves are integrated (curve/fair/fair3.h), and
  * the torsion where |C| / sigma^2 falls to this part of its largest: near to an
  * inflection, where tau' has a peak that is as high as that is near. */
 static const double CLOSED = 1e-9, PEAKED = 1e-8, INFLECTION = 1e-2;
 
-/* Rounding of r' x r'', of the sizes of r' and of what r'' is summed from: at
- * an inflection, which integrals are cut at, its direction is no other than
- * that of its derivative. */
-static const double ROUND_TURN = 16 * DBL_EPSILON;
-
 /* A segment in space whose r' leaves a line by no more than this part of it may
  * be told to be straight (curve/fair/fair3.h), with energies that are 0. */
 static const double STRAIGHT = 1e-11;
-
-/* Where rounding may change r' by more than this part of it, the curve may as
- * well stand still or turn back there: energies are anything, and the tangent
- * turns by half a turn to either side. */
-static const double STILL = 0x1p-6;
 
 enum integral { BENDING, VARYING, TWISTING, TURNING, ABSOLUTE, INTEGRALS };
 
 /* A segment, and what is integrated: the value of each, then its error. */
 struct integrand {
-  const struct ph_check_segment *s;
-  bool plane;
+  struct ph_check_bent bent;
   enum integral what[INTEGRALS];
   size_t n;
-  bool twists; /* TWISTING is among them */
 };
-
-/* (1) at a place, with errors. */
-struct local {
-  double speed, kappa, rate, twist;
-  double kappa_error, rate_error, twist_error;
-};
-
-static void twist(const struct ph_check_segment *s, const ph_vec3 jet[4],
-                  ph_vec3 turn, struct local *b) {
-  double noise = s->noise + PLANE * s->speed;
-  double error = noise * (NEXT * b->speed + ph_vec3_abs(jet[1]));
-  double square = ph_vec3_dot(turn, turn), size = sqrt(square);
-  ph_vec3 change = ph_vec3_cross(jet[0], jet[2]);
-  double tau = ph_vec3_dot(turn, jet[2]) / square;
-  double rate = ph_vec3_dot(turn, change) / square;
-  double part = error / size, third = ph_vec3_abs(jet[2]);
-  b->twist = ph_vec3_dot(turn, jet[3]) / square - 2 * tau * rate;
-  b->twist_error =
-      (NEXT * NEXT * NEXT * noise + ph_vec3_abs(jet[3]) * part) / size +
-      2 * fabs(rate) * (NEXT * NEXT * noise + 2 * third * part) / size +
-      2 * fabs(tau) * (NEXT * error + 3 * ph_vec3_abs(change) * part) / size;
-}
-
-static struct local local_at(const struct integrand *in, double u) {
-  const struct ph_check_segment *s = in->s;
-  struct local b = {.twist = 0};
-  ph_vec3 jet[4], turn, change;
-  double size, cube, rate, fast, second;
-  ph_check_jet(s, u, jet, in->twists ? 4 : 3);
-  b.speed = ph_vec3_abs(jet[0]);
-  second = ph_vec3_abs(jet[1]);
-  cube = b.speed * b.speed * b.speed;
-  turn = ph_vec3_cross(jet[0], jet[1]);
-  change = ph_vec3_cross(jet[0], jet[2]);
-  size = in->plane ? turn.z : ph_vec3_abs(turn);
-  rate = ph_vec3_dot(jet[0], jet[1]) / (b.speed * b.speed);
-  b.kappa = size / cube;
-  b.rate = (in->plane ? change.z
-            : size > ROUND_TURN * b.speed * (second + NEXT * s->speed)
-                ? ph_vec3_dot(turn, change) / size
-                : ph_vec3_abs(change)) /
-               cube -
-           3 * b.kappa * rate;
-  fast = NEXT + 4 * second / b.speed + sqrt(ph_vec3_abs(jet[2]) / b.speed);
-  b.kappa_error = (ph_check_uncertain(s, 2) + 4 * second * s->noise / b.speed) /
-                  (b.speed * b.speed);
-  b.rate_error =
-      fast * b.kappa_error + fast * fabs(b.rate) * s->noise / b.speed;
-  if (!in->plane) { /* the direction of r' x r'' */
-    double loose = s->noise * (NEXT * b.speed + second) / size;
-    b.rate_error += (loose < 1 ? loose : 1) * ph_vec3_abs(change) / cube;
-  }
-  if (in->twists) {
-    twist(s, jet, turn, &b);
-  }
-  return b;
-}
 
 /* x^2 and by how much it may be off, times a factor. */
 static void put_square(double x, double error, double factor, double *value,
@@ -138,7 +58,7 @@ static void put_square(double x, double error, double factor, double *value,
 
 static void values_at(const void *context, double u, double *value) {
   const struct integrand *in = context;
-  struct local b = local_at(in, u);
+  const struct ph_check_bend b = ph_check_bend_at(&in->bent, u);
   for (size_t i = 0; i < in->n; i++) {
     double *x = &value[i], *error = &value[in->n + i];
     switch (in->what[i]) {
@@ -170,34 +90,14 @@ struct fair {
   struct ph_check *v;
   struct total of[INTEGRALS]; /* integrals over the curve */
   struct total f[3];          /* F1, F2, F3 */
-  bool wanted[INTEGRALS];     /* and found in all segments so far */
-  bool stands;                /* nearly still: nothing can be said */
+  struct total length;
+  bool wanted[INTEGRALS]; /* and found in all segments so far */
+  bool stands;            /* nearly still: nothing can be said */
 };
 
 static void add(struct total *total, double x, double error) {
   ph_sum_add(&total->sum, x);
   total->error += error;
-}
-
-/* (|C| / sigma^2)^2 */
-static double bending_at(const void *s, double u) {
-  ph_vec3 jet[2], turn;
-  double square;
-  ph_check_jet(s, u, jet, 2);
-  turn = ph_vec3_cross(jet[0], jet[1]);
-  square = ph_vec3_dot(jet[0], jet[0]);
-  return ph_vec3_dot(turn, turn) / (square * square);
-}
-
-/* Whether rounding may make a segment straight at a place: then its torsion is
- * anything there. */
-static bool is_straight(const struct ph_check_segment *s, double u) {
-  double noise = s->noise + PLANE * s->speed, error;
-  ph_vec3 jet[2];
-  ph_check_jet(s, u, jet, 2);
-  error = noise * (NEXT * ph_vec3_abs(jet[0]) + ph_vec3_abs(jet[1]));
-  return !(error <
-           PH_CHECK_NO_DIRECTION * ph_vec3_abs(ph_vec3_cross(jet[0], jet[1])));
 }
 
 /* Whether a segment may be told to be straight. */
@@ -250,7 +150,7 @@ static void integrate_some(const struct fair *fair, struct integrand *in,
       in->what[in->n++] = (enum integral)i;
     }
   }
-  in->twists = in->n > 0 && in->what[0] == TWISTING;
+  in->bent.twists = in->n > 0 && in->what[0] == TWISTING;
   of.n = 2 * in->n;
   of.uncertain = in->n;
   for (size_t k = 0; in->n > 0 && k + 1 < cuts->n; k++) {
@@ -264,28 +164,27 @@ static void integrate_some(const struct fair *fair, struct integrand *in,
 
 /* The integrals over a segment; that of the torsion by itself, as it may take
  * more intervals than there are. */
-static void integrate(const struct fair *fair, const struct ph_check_segment *s,
-                      const struct ph_check_dips *slow, double *value,
-                      double *error) {
-  struct integrand in = {.s = s, .plane = fair->v->curve->dimension == 2};
+static void integrate(const struct fair *fair, const struct ph_check_bent *bent,
+                      double *value, double *error) {
+  struct integrand in = {.bent = *bent};
   struct cuts cuts = {{0, 1}, 2}, none = {.n = 0};
-  struct ph_check_dips bent = {.low = 1, .high = 1};
+  struct ph_check_dips turns = {.low = 1, .high = 1};
   bool straight = false;
-  if (!in.plane) {
-    bent = ph_check_dips_of(bending_at, s);
-    cut_at(&cuts, bent.x, bent.n);
+  if (!bent->plane) {
+    turns = ph_check_dips_of(ph_check_bending, bent);
+    cut_at(&cuts, turns.x, turns.n);
   }
   for (size_t i = 0; i < cuts.n; i++) {
-    straight = straight || is_straight(s, cuts.x[i]);
+    straight = straight || ph_check_bent_straight(bent, cuts.x[i]);
   }
-  cut_at(&cuts, slow->x, slow->n);
+  cut_at(&cuts, bent->slow.x, bent->slow.n);
   integrate_some(fair, &in, BENDING, VARYING, &cuts, value, error);
   integrate_some(fair, &in, TWISTING, TWISTING, straight ? &none : &cuts, value,
                  error);
   integrate_some(fair, &in, TURNING, ABSOLUTE, &cuts, value, error);
-  if (!in.plane) {
-    double depth = sqrt(bent.low / bent.high);
-    double part = is_line(s) ? 1 : CLOSED;
+  if (!bent->plane) {
+    double depth = sqrt(turns.low / turns.high);
+    double part = is_line(bent->s) ? 1 : CLOSED;
     error[BENDING] += part * value[BENDING];
     error[VARYING] += part * value[VARYING];
     error[TWISTING] +=
@@ -294,19 +193,23 @@ static void integrate(const struct fair *fair, const struct ph_check_segment *s,
   }
 }
 
-static void add_segment(struct fair *fair, const struct ph_check_segment *s,
-                        const struct ph_check_dips *slow) {
-  double value[INTEGRALS], error[INTEGRALS], l = fair->v->length[s->k];
-  double cube = l * l * l;
-  integrate(fair, s, slow, value, error);
+static void add_segment(struct fair *fair, const struct ph_check_bent *bent) {
+  double value[INTEGRALS], error[INTEGRALS], short_of;
+  double l = ph_check_bent_length(fair->v, bent, &short_of), cube = l * l * l;
+  integrate(fair, bent, value, error);
   for (size_t i = 0; i < INTEGRALS; i++) {
     add(&fair->of[i], value[i], error[i]);
     fair->wanted[i] = fair->wanted[i] && isfinite(value[i] + error[i]);
   }
-  add(&fair->f[0], l * value[BENDING], l * error[BENDING]);
-  add(&fair->f[1], cube * value[VARYING], cube * error[VARYING]);
+  add(&fair->length, l, short_of);
+  add(&fair->f[0], l * value[BENDING],
+      l * error[BENDING] + short_of * value[BENDING]);
+  short_of *= 3 * l * l;
+  add(&fair->f[1], cube * value[VARYING],
+      cube * error[VARYING] + short_of * value[VARYING]);
   add(&fair->f[2], cube * (value[VARYING] + value[TWISTING]),
-      cube * (error[VARYING] + error[TWISTING]));
+      cube * (error[VARYING] + error[TWISTING]) +
+          short_of * (value[VARYING] + value[TWISTING]));
 }
 
 /* ---- claims ------------------------------------------------------------- */
@@ -317,6 +220,7 @@ struct claim {
   const struct total *total;
   double factor; /* of the sum, at unit scale */
   int power;     /* of the scale, to the unit of the record */
+  double loose;  /* by how much the factor may be off, relative */
 };
 
 /* The claims that can be found; at most these. */
@@ -325,28 +229,27 @@ enum { CLAIMS = 9 };
 static size_t claims_of(const struct fair *fair, struct claim *claim) {
   const struct ph_check *v = fair->v;
   bool plane = v->curve->dimension == 2;
-  double l = 0;
-  const double turn = 1 / (2 * PH_PI);
+  const double l = ph_sum_value(&fair->length.sum);
+  const double loose = fair->length.error / l, turn = 1 / (2 * PH_PI);
   const struct claim all[CLAIMS] = {
-      {PH_D_ENERGY, &fair->of[BENDING], 1, 1},
-      {PH_D_F1, &fair->f[0], 1, 0},
-      {PH_D_F2, &fair->f[1], 1, 0},
-      {PH_D_F3, &fair->f[2], 1, 0},
-      {PH_D_ROTATION_INDEX, &fair->of[TURNING], turn, 0},
-      {PH_D_ABSOLUTE_ROTATION_INDEX, &fair->of[ABSOLUTE], turn, 0},
-      {PH_D_MV, &fair->of[VARYING], 1, 3},
-      {PH_D_IES, &fair->of[BENDING], 1, 0},
-      {PH_D_IMV, &fair->of[VARYING], 1, 0}};
+      {PH_D_ENERGY, &fair->of[BENDING], 1, 1, 0},
+      {PH_D_F1, &fair->f[0], 1, 0, 0},
+      {PH_D_F2, &fair->f[1], 1, 0, 0},
+      {PH_D_F3, &fair->f[2], 1, 0, 0},
+      {PH_D_ROTATION_INDEX, &fair->of[TURNING], turn, 0, 0},
+      {PH_D_ABSOLUTE_ROTATION_INDEX, &fair->of[ABSOLUTE], turn, 0, 0},
+      {PH_D_MV, &fair->of[VARYING], 1, 3, 0},
+      {PH_D_IES, &fair->of[BENDING], 1, 0, 0},
+      {PH_D_IMV, &fair->of[VARYING], 1, 0, 0}};
   size_t n = plane ? CLAIMS : 4;
-  for (size_t k = 0; k < v->curve->n; k++) {
-    l += v->length[k];
-  }
   for (size_t i = 0; i < n; i++) {
     claim[i] = all[i];
   }
   if (plane) {
     claim[7].factor = l;
+    claim[7].loose = loose;
     claim[8].factor = l * l * l;
+    claim[8].loose = 3 * loose;
   }
   return n;
 }
@@ -362,12 +265,18 @@ static double claimed_of(const struct ph_check *v, const struct claim *claim,
   return x;
 }
 
+/* By how much a claim may be off. */
+static double error_of(const struct ph_check *v, const struct claim *claim) {
+  const double sum = ph_sum_value(&claim->total->sum);
+  return claimed_of(v, claim, claim->total->error + claim->loose * fabs(sum));
+}
+
 /* How far a number is from what a claim must be; where that was not found, from
  * what is claimed. */
 static double excess_of(const struct ph_check *v, const struct claim *claim,
                         double claimed) {
   double found = claimed_of(v, claim, ph_sum_value(&claim->total->sum));
-  double error = claimed_of(v, claim, claim->total->error);
+  double error = error_of(v, claim);
   if (!isfinite(found + error) && ph_check_known(v, claim->which)) {
     found = v->diagnostics->value[claim->which];
     error = 0;
@@ -380,7 +289,7 @@ static void check_claim(struct ph_check *v, const struct claim *claim,
                         enum ph_diagnostic which) {
   double claimed = v->diagnostics->value[which];
   double found = claimed_of(v, claim, ph_sum_value(&claim->total->sum));
-  double error = claimed_of(v, claim, claim->total->error);
+  double error = error_of(v, claim);
   double unit = fabs(found);
   if (claim->which == PH_D_ROTATION_INDEX ||
       claim->which == PH_D_ABSOLUTE_ROTATION_INDEX) {
@@ -419,7 +328,7 @@ static bool is_minimised(const struct ph_check *v, enum ph_diagnostic which) {
 static void check_same(struct ph_check *v, const struct claim *claim,
                        double claimed) {
   double same = v->diagnostics->value[claim->which];
-  double error = claimed_of(v, claim, claim->total->error);
+  double error = error_of(v, claim);
   if (isfinite(error)) {
     ph_check_number(v, PH_CHECK_DIAGNOSTIC,
                     ph_check_of("diagnostics", PH_CHECK_ONE,
@@ -479,14 +388,14 @@ static bool add_part(void *context, size_t thread, size_t first, size_t end) {
   *fair = *parts->none;
   for (size_t k = first; k < end && !ph_arena_late(fair->v->scratch); k++) {
     struct ph_check_segment s;
-    struct ph_check_dips slow;
+    struct ph_check_bent bent;
     ph_check_load(fair->v, k, &s);
-    slow = ph_check_slow_of(&s);
-    if (!(slow.low > (s.noise / STILL) * (s.noise / STILL))) {
+    bent = ph_check_bent_of(fair->v, &s);
+    if (ph_check_bent_stands(&bent)) {
       fair->stands = true;
       return false;
     }
-    add_segment(fair, &s, &slow);
+    add_segment(fair, &bent);
   }
   return true;
 }
@@ -510,6 +419,7 @@ static bool add_segments(struct fair *fair) {
   ph_team_share(v->scratch, n, 2 * PART, PART, add_part, &parts);
   for (size_t i = 0; i < parts_n; i++) {
     const struct fair *part = &parts.part[i];
+    join(&fair->length, &part->length);
     for (size_t j = 0; j < INTEGRALS; j++) {
       join(&fair->of[j], &part->of[j]);
       fair->wanted[j] = fair->wanted[j] && part->wanted[j];

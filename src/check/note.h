@@ -74,6 +74,8 @@ struct ph_check {
   /* what was found of its segments */
   double *length; /* [n] by quadrature; NaN where that failed */
   double *noise;  /* [n] by how much r' by u in [0,1] is uncertain */
+  bool *rooted;   /* [n] whether the claimed preimage fits to rounding; not
+                     looked for in certificates */
 
   struct ph_check_rule rule;    /* of adaptive quadrature */
   struct ph_quad fixed;         /* for r' and |r'| of a hodograph */

@@ -177,6 +177,7 @@ void ph_check_load(const struct ph_check *v, size_t k,
   s->speed = 0;
   s->kind->load(v, s);
   s->noise = v->noise[k];
+  s->rooted = v->rooted[k];
 }
 
 /* ---- evaluation --------------------------------------------------------- */

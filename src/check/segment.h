@@ -65,6 +65,7 @@ struct ph_check_segment {
   double reach;   /* the rounding that may be in one of its coordinates */
   double noise;   /* by how much r' may be off, by rounding and because the
                      preimage that was meant is another */
+  bool rooted;    /* the claimed preimage fits to rounding of these */
   double spacing; /* of its knots */
   ph_vec3 end[2]; /* the first and the last control point, and there */
   ph_vec3 first[2], second[2]; /* r' and r'' by u */

@@ -205,6 +205,7 @@ static void verify(struct ph_check *v, struct ph_check_segment *s,
   if (preimage && miss <= s->noise + SAME * unit) {
     ph_check_miss(v, PH_CHECK_PYTHAGOREAN, ph_check_in(s->k, "control_points"),
                   miss, unit, s->noise, "miss the square");
+    v->rooted[s->k] = s->rooted = miss <= s->noise;
     v->noise[s->k] = s->noise += BETWEEN * miss;
   } else {
     ph_check_miss(v, PH_CHECK_PYTHAGOREAN, ph_check_in(s->k, "control_points"),

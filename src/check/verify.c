@@ -54,10 +54,13 @@ enum ph_status ph_check_begin(struct ph_check *v, struct ph_check_data *data,
             ph_check_larger(fabs(c->knots[0]), fabs(c->knots[n]));
   v->length = ph_arena_array(v->scratch, n, sizeof *v->length);
   v->noise = ph_arena_array(v->scratch, n, sizeof *v->noise);
-  if (!v->length || !v->noise || !ph_quad_gauss(&v->fixed, nodes)) {
+  v->rooted = ph_arena_array(v->scratch, n, sizeof *v->rooted);
+  if (!v->length || !v->noise || !v->rooted ||
+      !ph_quad_gauss(&v->fixed, nodes)) {
     return ph_fail_memory(v->diag);
   }
   memset(v->noise, 0, n * sizeof *v->noise);
+  memset(v->rooted, 0, n * sizeof *v->rooted);
   *space = ph_check_space_of(&v->fixed, c->degree - 1, 0);
   v->space = space;
   return ph_check_given_begin(v, data);

@@ -407,6 +407,29 @@ equal 'an energy that rounding does not make of it' \
   '1 "not-verified" "diagnostics.IMV"' \
   "$status $(get error.code) $(get error.field)"
 
+# energies are as sure as the preimage is, where the curve nearly stops
+echo '{"points":[[0,0],[1,2],[3,3]],"end_derivatives":[[1e-12,2e-12],[1,0]]}' \
+  >slow
+made planar <slow
+verified 'a curve that begins at rest, or nearly' 1 --problems=slow
+refuses 'such a curve, another IMV' diagnostic_error slow \
+  '.diagnostics.IMV *= 1.000001'
+echo '{"points":[[1e7,0,0],[10000001,2,1],[10000003,3,0]],"criterion":"cc",
+  "derivatives":[[1e-5,1e-5,0],[1,1,1],[1,0,0]]}' >slow
+made spatial-hermite <slow
+verified 'a curve in space, as slow' 1 --problems=slow
+refuses 'such a curve in space, another F2' diagnostic_error slow \
+  '.diagnostics.F2 *= 1.000001'
+
+# ... and where its points are rounded: the length that is a factor of them, too
+echo '{"points":[[200972749916.89282,-225937962784.9285],
+  [200972749916.94357,-225937962784.99536],
+  [200972749917.0442,-225937962785.12302]]}' >slow
+made planar <slow
+verified 'a short curve far away' 1 --problems=slow
+refuses 'a short curve far away, another IMV' diagnostic_error slow \
+  '.diagnostics.IMV *= 1.000001'
+
 # a derivative that is 1e-14 of the others, and its direction in Bezier pieces
 echo '{"points":[[0,0],[-0.832038,0.554718],[-0.850496,0.552927],
   [-1.816692,0.810737],[-1.818023,0.811431],[-2.66409,1.344507]],
