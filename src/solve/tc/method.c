@@ -4,12 +4,13 @@
  * cubics.
  *
  * The data are read (tc.h), every interval is solved by itself
- * (tc.h) and put into the curve (tc.h): O(n), and nothing is
- * allocated for an interval.  Curves that are approximated go their own way
- * (tc.h).
+ * (tc.h), a block of them by all threads, and put into the curve (tc.h): O(n),
+ * and nothing is allocated for an interval.  Curves that are approximated go
+ * their own way (tc.h).
  */
 #include "solve/method.h"
 
+#include "base/team.h"
 #include "curve/offset/blaschke.h"
 #include "solve/common/fields.h"
 #include "solve/tc/tc.h"
@@ -27,22 +28,82 @@ static void warn_crossings(const struct ph_tc_crossings *crossings,
   }
 }
 
-/* Each interval by itself. */
-static enum ph_status solve_one(const struct ph_tc_data *d,
-                                struct ph_arena *out, struct ph_result *result,
+/* Intervals that are looked for together; so many, 1 ms, are worth another
+ * thread; how many one takes at a time. */
+enum { BLOCK = 4096, WORTH = 1024, CHUNK = 128 };
+
+struct found {
+  struct ph_tc_fit fit;
+  enum ph_status status;
+};
+
+struct block {
+  const struct ph_tc_data *data;
+  const struct ph_arena *clock;
+  size_t first; /* of them */
+  struct found *found;
+};
+
+static bool find_some(void *context, size_t thread, size_t first, size_t end) {
+  const struct block *b = context;
+  struct ph_diag why;
+  (void)thread;
+  for (size_t i = first; i < end; i++) {
+    struct found *found = &b->found[i];
+    found->status =
+        ph_arena_late(b->clock)
+            ? PH_E_NO_MEMORY
+            : ph_tc_interval(b->data, b->first + i, &found->fit, &why);
+    if (found->status != PH_OK) {
+      return false; /* the first of all is the one to be told */
+    }
+  }
+  return true;
+}
+
+/* Why an interval was not found. */
+static enum ph_status tell(const struct ph_tc_data *d, size_t k,
+                           struct found *found, struct ph_diag *diag) {
+  return found->status == PH_E_NO_MEMORY
+             ? ph_fail_memory(diag)
+             : ph_tc_interval(d, k, &found->fit, diag);
+}
+
+/* The intervals of a block, in their order. */
+static enum ph_status add_block(const struct block *b, size_t n,
+                                struct ph_tc_builder *builder,
                                 struct ph_tc_crossings *crossings,
                                 struct ph_diag *diag) {
+  for (size_t i = 0; i < n; i++) {
+    struct found *found = &b->found[i];
+    if (found->status != PH_OK) {
+      return tell(b->data, b->first + i, found, diag);
+    }
+    ph_tc_build_add(builder, &found->fit);
+    ph_tc_crossings_see(crossings, b->first + i, &found->fit);
+  }
+  return PH_OK;
+}
+
+/* Each interval by itself. */
+static enum ph_status solve_each(const struct ph_tc_data *d,
+                                 struct ph_arena *out, struct ph_arena *scratch,
+                                 struct ph_result *result,
+                                 struct ph_tc_crossings *crossings,
+                                 struct ph_diag *diag) {
+  const size_t most = d->n < BLOCK ? d->n : BLOCK;
+  struct block block = {d, scratch, 0,
+                        ph_arena_array(scratch, most, sizeof *block.found)};
   struct ph_tc_builder builder;
   enum ph_status status =
       ph_tc_build_begin(&builder, d, out, &result->curve, diag);
-  for (size_t k = 0; status == PH_OK && k < d->n; k++) {
-    struct ph_tc_fit fit;
-    status = ph_arena_late(out) ? ph_fail_memory(diag)
-                                : ph_tc_interval(d, k, &fit, diag);
-    if (status == PH_OK) {
-      ph_tc_build_add(&builder, &fit);
-      ph_tc_crossings_see(crossings, k, &fit);
-    }
+  if (!block.found) {
+    return ph_fail_memory(diag);
+  }
+  for (; status == PH_OK && block.first < d->n; block.first += most) {
+    const size_t n = d->n - block.first < most ? d->n - block.first : most;
+    ph_team_share(scratch, n, WORTH, CHUNK, find_some, &block);
+    status = add_block(&block, n, &builder, crossings, diag);
   }
   if (status == PH_OK) {
     ph_tc_build_end(&builder, &result->diagnostics);
@@ -66,7 +127,7 @@ static enum ph_status interpolate(const struct ph_problem *problem,
   if (status == PH_OK) {
     status = data.choice == PH_TC_ALL
                  ? ph_tc_all(&data, out, scratch, result, &crossings, diag)
-                 : solve_one(&data, out, result, &crossings, diag);
+                 : solve_each(&data, out, scratch, result, &crossings, diag);
   }
   if (status == PH_OK) {
     warn_crossings(&crossings, result);
