@@ -7,6 +7,7 @@
 . "$srcdir/tests/cli/lib.sh"
 
 cat >fail.c <<'END'
+#include <errno.h>
 #include <stdlib.h>
 
 void *__libc_malloc(size_t);
@@ -18,7 +19,11 @@ static int on, begun;
 
 static int fails(void) {
   long n = begun ? __atomic_add_fetch(&count, 1, __ATOMIC_RELAXED) : 0;
-  return n > 0 && (n == limit || (on && limit > 0 && n > limit));
+  if (n > 0 && (n == limit || (on && limit > 0 && n > limit))) {
+    errno = ENOMEM; /* pthread_create wants to see it */
+    return 1;
+  }
+  return 0;
 }
 
 void *malloc(size_t n) { return fails() ? NULL : __libc_malloc(n); }
@@ -102,7 +107,14 @@ f 4 1 5 8
 END
 printf 'x,y\n0,0\n1,1\n2,0\n3,3\n2,5\n-1,2\n' >turning.csv
 
+# enough that both threads have parts of it: segments, crossings, text
+awk 'BEGIN {
+  print "x,y"
+  for (i = 0; i < 9000; i++) printf "%d,%.3f\n", i % 2 ? i + 3 : i, 9 * sin(i / 9)
+}' >long.csv
+
 exhaust 'bubble' bubble -j 1 cube.obj
+exhaust 'planar, two threads' planar -j 2 -q --fields=length,diagnostics long.csv
 exhaust 'tc g2' tc -j 1 -q --mode=g2 turning.csv
 xml=
 if "$PHSPLINE" sphere -q "$srcdir/data/walk.gpx" >cmd.out 2>&1; then
@@ -113,5 +125,7 @@ else
 fi
 export FAIL_ON=1
 exhaust 'bubble, from then on' bubble -j 1 cube.obj
+exhaust 'planar, two threads, from then on' planar -j 2 -q \
+  --fields=length,diagnostics long.csv
 exhaust 'tc g2, from then on' tc -j 1 -q --mode=g2 turning.csv
 [ -z "$xml" ] || exhaust 'GPX, from then on' sphere -j 1 -q "$srcdir/data/walk.gpx"

@@ -212,6 +212,13 @@ exhaust 'JSON Lines' lines planar -j 1 some.jsonl
 exhaust 'JSON Lines, two threads' lines planar -j 2 some.jsonl
 exhaust 'an array that breaks off' lines planar -j 1 array.json
 exhaust 'a large problem' lines planar -j 1 -d 0.1 large.json
+# from 2048 segments on two threads look for two solutions
+awk 'BEGIN {
+  print "x,y"
+  for (i = 0; i < 2600; i++) printf "%d,%.3f\n", i % 2 ? i + 3 : i, 9 * sin(i / 9)
+}' >turning.csv
+exhaust 'a large problem, two threads' lines planar -j 2 \
+  --fields=length,diagnostics turning.csv
 exhaust 'CSV' lines planar -j 1 some.csv
 exhaust 'CSV, two threads' lines planar -j 2 some.csv
 exhaust 'records that are too long' lines planar -j 1 \
