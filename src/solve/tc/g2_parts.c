@@ -68,7 +68,7 @@ static struct bent span_bent(const struct ph_g2_part *part, size_t i) {
 
 struct search {
   const struct ph_tc_data *data;
-  const struct ph_tc_data *spline; /* the same, of the mode spline */
+  struct ph_tc_data spline; /* the same, of the mode spline */
   bool may_add;
   enum ph_g2_rule rule;
   struct ph_arena *arena; /* of the parts, */
@@ -91,8 +91,8 @@ static bool measure_some_pairs(void *context, size_t thread, size_t first,
   struct ph_tc_fit fit;
   (void)thread;
   for (size_t k = first; k < end; k++) {
-    double chord = s->spline->chord[k];
-    if (ph_tc_interval(s->spline, k, &fit, &why) != PH_OK) {
+    double chord = s->spline.chord[k];
+    if (ph_tc_interval(&s->spline, k, &fit, &why) != PH_OK) {
       atomic_store(&s->no_pair, true);
       return false;
     }
@@ -127,7 +127,7 @@ static ph_cplx tangent_at(const struct search *s, size_t k) {
   if (!d->closed && (k == 0 || k == d->n)) {
     return d->vector[k];
   }
-  v = s->spline->vector[around(s, k)];
+  v = s->spline.vector[around(s, k)];
   return ph_cplx_scale(1 / hypot(v.re, v.im), v);
 }
 
@@ -139,7 +139,7 @@ static enum ph_status solve_part(struct search *s, struct ph_g2_part *part,
   struct ph_diag why = {.status = PH_OK}, *diag = only ? s->diag : &why;
   enum ph_status status;
   if (part->pair) {
-    return ph_tc_interval(s->spline, part->first, &part->fit, s->diag);
+    return ph_tc_interval(&s->spline, part->first, &part->fit, s->diag);
   }
   ph_cplx tangent[2] = {{(double)NAN, 0}, {(double)NAN, 0}};
   if (!d->closed || !only) {
@@ -468,15 +468,14 @@ static enum ph_status find_parts(struct search *s,
                                  const struct ph_problem *problem,
                                  struct ph_g2_parts *parts) {
   const struct ph_tc_data *d = s->data;
-  struct ph_tc_data spline;
   enum ph_status status = solve_part(s, &parts->part[0], true);
   struct ph_diag why;
   if (status != PH_OK && status != PH_E_NO_CONVERGENCE &&
       !memchr(s->hard, PH_G2_STUCK, d->n)) {
     return status;
   }
-  if (ph_tc_data_of(problem, PH_TC_SPLINE, &s->work, &spline, &why) == PH_OK) {
-    s->spline = &spline;
+  if (ph_tc_data_of(problem, PH_TC_SPLINE, &s->work, &s->spline, &why) ==
+      PH_OK) {
     status = improve(s, parts);
   } else if (why.status == PH_E_NO_MEMORY) { /* not that there is none */
     status = ph_fail_memory(s->diag);
