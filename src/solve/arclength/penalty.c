@@ -289,7 +289,8 @@ static bool advance(struct ph_arc_lagrangian *g) {
 
 /* The multipliers may be set anew when a step promises no more than INNER of
  * the penalty, or of F, and the matrix needs no shift; or when it gains no more
- * than CREEPS: along curved valleys it may for hundreds of steps. */
+ * than CREEPS: along curved valleys it may for hundreds of steps.  Five free
+ * walks of 500 take 36 in mean, with 1e-2 18 and with 1e-4 43. */
 static const double INNER = 0.1, INNER_SHIFT = 0.01, CREEPS = 1e-3;
 
 /* Rows that fall by less than this from one setting to the next ask for a
