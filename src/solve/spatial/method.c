@@ -29,9 +29,9 @@ static const double MINIMUM = 1e-7;
 
 /* The work of a segment, in evaluations of a functional, half a microsecond
  * each: beyond the first, which the last whole search may exceed by far, the
- * search at another tension begins with what was found at the last one; it has
- * the second for that, whatever there was before. */
-enum { WORK_WHOLE = 75000, WORK_NEAR = 25000 };
+ * search at another tension begins with the minima of the last one; it has the
+ * second for that, whatever there was before. */
+enum { WORK_WHOLE = 50000, WORK_NEAR = 50000 };
 
 /* Segments that are held together, that a thread takes at once, and that are
  * worth another one: a segment takes a microsecond and more, a thread 20 to
@@ -61,9 +61,9 @@ struct task {
   bool shape;
   struct ph_result *result;
   size_t evaluations, reduced, unsatisfied, first_unsatisfied;
-  const char *why;                       /* of the first unsatisfied segment */
+  const char *tried, *why;               /* of the first unsatisfied segment */
   size_t substituted, first_substituted; /* F1 in the place of F2 or F3 */
-  size_t cut_short, first_cut_short;     /* at WORK_WHOLE */
+  size_t cut_short, first_cut_short;     /* curves found after WORK_WHOLE */
   double functional, residual;
   bool at_bound;
 };
@@ -246,6 +246,7 @@ static enum ph_status choose_fairest(struct ph_spatial_fit *fit,
                       t->criterion->functional > 1 ? ", and no finite F1" : "");
   }
   c->evaluations += found->evaluations;
+  fit->cut_short = c->cut_short;
   fit->member = found->member;
   fit->functional = found->functional;
   if (free) {
@@ -263,7 +264,7 @@ struct found {
   struct ph_spatial_tension best;
   struct ph_spatial_chosen chosen;
   size_t evaluations;
-  bool cut_short;
+  bool cut_short; /* at some tension */
   enum ph_status status;
 };
 
@@ -325,12 +326,13 @@ static void count_segment(struct task *t, size_t k, const struct found *found) {
   const struct ph_spatial_tension *best = &found->best;
   double angle = best->fit.family.space.angle;
   t->evaluations += found->evaluations;
-  if (found->cut_short) {
+  if (best->fit.cut_short) {
     t->first_cut_short = t->cut_short++ ? t->first_cut_short : k;
   }
   t->reduced += best->factor < 1;
   if (t->shape && best->fit.violated && t->unsatisfied++ == 0) {
     t->first_unsatisfied = k;
+    t->tried = found->cut_short ? " that was tried" : "";
     t->why = why_unsatisfied(&found->data, best->fit.violated);
   }
   if (!searches(t)) {
@@ -503,16 +505,16 @@ static void report(const struct task *t) {
   }
   if (t->cut_short) {
     ph_warn(t->result, t->first_cut_short, PH_W_CUT_SHORT,
-            "segment %zu took %d evaluations of %s: at further tensions the "
-            "search began with the last curve, and others may be fairer (such "
-            "segments: %zu)",
+            "segment %zu took %d evaluations of %s, and began with the last "
+            "curves at its tension: others may be fairer, or need less of it "
+            "(such segments: %zu)",
             t->first_cut_short, WORK_WHOLE, t->criterion->name, t->cut_short);
   }
   if (t->unsatisfied) {
     ph_warn(t->result, t->first_unsatisfied, PH_W_SHAPE_UNSATISFIABLE,
-            "segment %zu does not keep the shape of its data at any tension: "
-            "%s (such segments: %zu)",
-            t->first_unsatisfied, t->why, t->unsatisfied);
+            "segment %zu does not keep the shape of its data at any "
+            "tension%s: %s (such segments: %zu)",
+            t->first_unsatisfied, t->tried, t->why, t->unsatisfied);
   }
   if (t->points.estimated) {
     warn_reversals(t);

@@ -29,9 +29,9 @@ enum {
   B_MAX = 20, /* of the grid, in every direction */
   PHI_N = 14,
   ALPHA_MAX = 6,
-  VALLEYS = 4,     /* kept for one b and alpha */
-  STARTS = 24,     /* of rough descents, and of fine ones */
-  GRID_PANELS = 2, /* of the quadrature: in the grid, and at first */
+  VALLEYS = 4,                /* kept for one b and alpha */
+  STARTS = PH_SPATIAL_STARTS, /* of rough descents, and of fine ones */
+  GRID_PANELS = 2,            /* of the quadrature: in the grid, and at first */
   PANELS_MAX = 16,
   ROUGH_STEPS = 60,  /* of one descent */
   COARSE_STEPS = 30, /* by a quadrature that is not fine enough */
@@ -61,12 +61,8 @@ struct search {
   size_t panels;
   double gradient[PH_SPATIAL_VARIABLES]; /* at the last value, of its log */
   size_t evaluations, work;
-};
-
-struct start {
-  struct ph_spatial_point at;
-  double value;
-  bool plane; /* b and phi stay */
+  size_t kept; /* rough minima, as ph_spatial_minimum has them */
+  struct ph_spatial_start rough[STARTS];
 };
 
 static void begin(struct search *s, const struct ph_spatial_search *wanted,
@@ -80,7 +76,7 @@ static void begin(struct search *s, const struct ph_spatial_search *wanted,
   s->target = (struct ph_spatial_target){&rules->rule, &s->family,
                                          wanted->scaled, wanted->functional};
   s->panels = GRID_PANELS;
-  s->evaluations = s->work = 0;
+  s->evaluations = s->work = s->kept = 0;
 }
 
 /* Counts a value by some panels, or one with its gradient, which takes about
@@ -133,7 +129,7 @@ static void descent_accept(void *context) {
 
 /* One descent by the quadrature of s->panels. */
 static enum ph_status descend(struct search *s, double decrease, size_t steps,
-                              struct start *start) {
+                              struct ph_spatial_start *start) {
   const double none = HUGE_VAL;
   const double lower[] = {start->plane ? start->at.b : -none,
                           start->plane ? start->at.phi : -none,
@@ -160,8 +156,8 @@ static enum ph_status descend(struct search *s, double decrease, size_t steps,
 }
 
 /* Whether twice as many panels agree, relative to this; finer: by these. */
-static bool agrees(struct search *s, double within, const struct start *start,
-                   double *finer) {
+static bool agrees(struct search *s, double within,
+                   const struct ph_spatial_start *start, double *finer) {
   *finer = value_at(s, 2 * s->panels, &start->at);
   return fabs(*finer - start->value) <= within * (*finer + NOTHING);
 }
@@ -170,7 +166,7 @@ static bool agrees(struct search *s, double within, const struct start *start,
  * not.  What the first ones do not see may be far above the limit: it is left
  * then. */
 static enum ph_status polish(struct search *s, double limit,
-                             struct start *start) {
+                             struct ph_spatial_start *start) {
   enum ph_status status = PH_OK;
   bool done = false;
   for (s->panels = GRID_PANELS;
@@ -204,7 +200,7 @@ static double true_value(const struct search *s,
                              s->wanted->functional);
 }
 
-static void finish(const struct search *s, const struct start *best,
+static void finish(const struct search *s, const struct ph_spatial_start *best,
                    struct ph_spatial_minimum *found) {
   const struct ph_spatial_search *w = s->wanted;
   double alpha = best->at.alpha;
@@ -215,34 +211,17 @@ static void finish(const struct search *s, const struct start *best,
   found->value = best->value;
   found->evaluations = s->evaluations;
   found->work = s->work;
+  found->starts = s->kept;
+  memcpy(found->start, s->rough, s->kept * sizeof *s->rough);
   found->at_bound = w->alpha_lower < w->alpha_upper &&
                     (alpha <= w->alpha_lower || alpha >= w->alpha_upper);
-}
-
-enum ph_status ph_spatial_descend(const struct ph_spatial_search *search,
-                                  const struct ph_fair3_rules *rules,
-                                  struct ph_arena *scratch,
-                                  struct ph_spatial_minimum *found) {
-  struct search s;
-  struct start start = {{0, 0, found->alpha}, 0, false};
-  enum ph_status status;
-  const double rounding = 1e-12;
-  ph_cplx phi = found->member.phi;
-  begin(&s, search, rules, scratch);
-  start.plane = ph_spatial_in_plane(&s.family, found->member.b, &start.at.b) &&
-                fabs(phi.im) <= rounding;
-  start.at.phi = !start.plane ? atan2(phi.im, phi.re) : phi.re > 0 ? 0 : PH_PI;
-  status = polish(&s, HUGE_VAL, &start);
-  start.value = true_value(&s, &start.at);
-  finish(&s, &start, found);
-  return status;
 }
 
 /* ---- global search --------------------------------------------------- */
 
 /* Keeps the best n starts, in order; others than finite values go last. */
-static void insert(struct start *list, size_t *n, size_t most,
-                   const struct start *start) {
+static void insert(struct ph_spatial_start *list, size_t *n, size_t most,
+                   const struct ph_spatial_start *start) {
   size_t i;
   if (!isfinite(start->value)) {
     return;
@@ -263,7 +242,7 @@ static void insert(struct start *list, size_t *n, size_t most,
 /* Local minima in phi, for each b and alpha of a grid. */
 struct valley {
   size_t n;
-  struct start at[VALLEYS];
+  struct ph_spatial_start at[VALLEYS];
 };
 
 struct grid {
@@ -287,8 +266,8 @@ static double vertex(const double f[3], double left, double right) {
 
 /* Takes another phi if the functional is less there. */
 static double attempt(struct search *s, const struct ph_spatial_section *on,
-                      struct start *best, double phi) {
-  struct start next = *best;
+                      struct ph_spatial_start *best, double phi) {
+  struct ph_spatial_start next = *best;
   next.at.phi = phi;
   next.value = section_value(s, on, phi);
   *best = next.value < best->value ? next : *best;
@@ -296,12 +275,13 @@ static double attempt(struct search *s, const struct ph_spatial_section *on,
 }
 
 /* A few steps down in phi from the middle of three values. */
-static struct start bottom(struct search *s,
-                           const struct ph_spatial_section *on,
-                           const struct ph_spatial_point *at,
-                           const double three[3], double left, double right) {
+static struct ph_spatial_start bottom(struct search *s,
+                                      const struct ph_spatial_section *on,
+                                      const struct ph_spatial_point *at,
+                                      const double three[3], double left,
+                                      double right) {
   const double step = 0.3 * (left < right ? left : right);
-  struct start best = {*at, three[1], false}, middle;
+  struct ph_spatial_start best = {*at, three[1], false}, middle;
   double f[3];
   attempt(s, on, &best, at->phi + vertex(three, left, right));
   middle = best;
@@ -329,7 +309,7 @@ static void fill_valley(struct search *s, double alpha, double b,
     const double three[3] = {f[before], f[j], f[after]};
     if (three[1] <= three[0] && three[1] < three[2]) {
       double left = PHI[j] - PHI[before], right = PHI[after] - PHI[j];
-      struct start start;
+      struct ph_spatial_start start;
       at.phi = PHI[j];
       start = bottom(s, &on, &at, three, left > 0 ? left : left + TURN,
                      right > 0 ? right : right + TURN);
@@ -356,7 +336,8 @@ static void fill(struct search *s, struct grid *g) {
 }
 
 /* Whether a valley rises towards its neighbour, or ends. */
-static bool rises(const struct start *from, const struct valley *to) {
+static bool rises(const struct ph_spatial_start *from,
+                  const struct valley *to) {
   double nearest = APART, value = HUGE_VAL;
   for (size_t i = 0; i < to->n; i++) {
     double d = fabs(remainder(to->at[i].at.phi - from->at.phi, TURN));
@@ -369,7 +350,7 @@ static bool rises(const struct start *from, const struct valley *to) {
 }
 
 static bool is_least(const struct grid *g, size_t k, size_t i,
-                     const struct start *start) {
+                     const struct ph_spatial_start *start) {
   return rises(start, &g->valley[k][(i + 1) % g->bs]) &&
          rises(start, &g->valley[k][(i + g->bs - 1) % g->bs]) &&
          (k == 0 || rises(start, &g->valley[k - 1][i])) &&
@@ -378,12 +359,12 @@ static bool is_least(const struct grid *g, size_t k, size_t i,
 
 /* The members in the plane, descended to the end at once. */
 static enum ph_status search_plane(struct search *s, const struct grid *g,
-                                   struct start *best) {
+                                   struct ph_spatial_start *best) {
   double b;
   ph_spatial_in_plane(&s->family, s->family.plane_b, &b);
   for (size_t k = 0; k < g->alphas; k++) {
     for (int i = 0; i < 4; i++) {
-      struct start start = {
+      struct ph_spatial_start start = {
           {i % 2 ? b + PH_PI : b, i / 2 ? PH_PI : 0, g->alpha[k]}, 0, true};
       enum ph_status status = polish(s, best->value + SMALL, &start);
       if (status != PH_OK) {
@@ -396,11 +377,31 @@ static enum ph_status search_plane(struct search *s, const struct grid *g,
   return PH_OK;
 }
 
-static enum ph_status search_grid(struct search *s, const struct grid *g,
-                                  struct start *best) {
-  struct start list[STARTS], rough[STARTS] = {{{0, 0, 0}, 0, false}};
-  size_t n = 0, kept = 0;
+/* The least of the minima that n places lead to, or what there was. */
+static enum ph_status search_from(struct search *s,
+                                  struct ph_spatial_start *list, size_t n,
+                                  struct ph_spatial_start *best) {
   enum ph_status status = PH_OK;
+  s->panels = GRID_PANELS;
+  for (size_t i = 0; status == PH_OK && i < n; i++) {
+    status = descend(s, ROUGH, ROUGH_STEPS, &list[i]);
+    insert(s->rough, &s->kept, STARTS, &list[i]);
+  }
+  for (size_t i = 0; status == PH_OK && i < s->kept &&
+                     s->rough[i].value <= PROMISING * (best->value + SMALL);
+       i++) {
+    struct ph_spatial_start fine = s->rough[i];
+    status = polish(s, best->value + SMALL, &fine);
+    fine.value = true_value(s, &fine.at);
+    *best = fine.value < best->value ? fine : *best;
+  }
+  return status;
+}
+
+static enum ph_status search_grid(struct search *s, const struct grid *g,
+                                  struct ph_spatial_start *best) {
+  struct ph_spatial_start list[STARTS];
+  size_t n = 0;
   for (size_t k = 0; k < g->alphas; k++) {
     for (size_t i = 0; i < g->bs; i++) {
       const struct valley *v = &g->valley[k][i];
@@ -411,19 +412,7 @@ static enum ph_status search_grid(struct search *s, const struct grid *g,
       }
     }
   }
-  s->panels = GRID_PANELS;
-  for (size_t i = 0; status == PH_OK && i < n; i++) {
-    status = descend(s, ROUGH, ROUGH_STEPS, &list[i]);
-    insert(rough, &kept, STARTS, &list[i]);
-  }
-  for (size_t i = 0; status == PH_OK && i < kept &&
-                     rough[i].value <= PROMISING * (best->value + SMALL);
-       i++) {
-    status = polish(s, best->value + SMALL, &rough[i]);
-    rough[i].value = true_value(s, &rough[i].at);
-    *best = rough[i].value < best->value ? rough[i] : *best;
-  }
-  return status;
+  return search_from(s, list, n, best);
 }
 
 static enum ph_status minimize(const struct ph_spatial_search *search,
@@ -432,7 +421,7 @@ static enum ph_status minimize(const struct ph_spatial_search *search,
                                struct ph_spatial_minimum *found) {
   struct search s;
   struct grid grid;
-  struct start best = {{0, 0, search->alpha_lower}, HUGE_VAL, false};
+  struct ph_spatial_start best = {{0, 0, search->alpha_lower}, HUGE_VAL, false};
   enum ph_status status = PH_OK;
   begin(&s, search, rules, scratch);
   fill(&s, &grid);
@@ -441,6 +430,32 @@ static enum ph_status minimize(const struct ph_spatial_search *search,
   }
   if (status == PH_OK && !(search->plane && s.family.flat)) {
     status = search_grid(&s, &grid, &best);
+  }
+  finish(&s, &best, found);
+  return status;
+}
+
+enum ph_status ph_spatial_descend(const struct ph_spatial_search *search,
+                                  const struct ph_fair3_rules *rules,
+                                  struct ph_arena *scratch,
+                                  struct ph_spatial_minimum *found) {
+  struct search s;
+  struct ph_spatial_start start = {{0, 0, found->alpha}, 0, false};
+  struct ph_spatial_start best = {{0, 0, found->alpha}, HUGE_VAL, false};
+  enum ph_status status = PH_OK;
+  const double rounding = 1e-12;
+  ph_cplx phi = found->member.phi;
+  begin(&s, search, rules, scratch);
+  start.plane = ph_spatial_in_plane(&s.family, found->member.b, &start.at.b) &&
+                fabs(phi.im) <= rounding;
+  start.at.phi = !start.plane ? atan2(phi.im, phi.re) : phi.re > 0 ? 0 : PH_PI;
+  if (start.plane || found->starts == 0) {
+    status = polish(&s, HUGE_VAL, &start);
+    start.value = true_value(&s, &start.at);
+    best = start;
+  }
+  if (status == PH_OK) {
+    status = search_from(&s, found->start, found->starts, &best);
   }
   finish(&s, &best, found);
   return status;

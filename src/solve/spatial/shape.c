@@ -134,6 +134,7 @@ enum ph_status ph_spatial_fit_of(const struct ph_spatial_data *data,
   enum ph_status status;
   fit->violated = 0;
   fit->functional = 0;
+  fit->cut_short = false;
   fit->family = ph_spatial_family_of(data, space);
   status = choose(fit, context);
   if (status == PH_OK) {

@@ -253,6 +253,7 @@ struct ph_spatial_fit {
   struct ph_spatial_family family;
   struct ph_spatial_member member;
   int functional;    /* 1, 2, 3: the F that is least; 0: none is sought */
+  bool cut_short;    /* others may be fairer: not all were looked for */
   ph_quat a[3];      /* preimage in the frame of the data */
   unsigned violated; /* constraints */
 };
@@ -537,6 +538,15 @@ struct ph_spatial_search {
 #define PH_SPATIAL_ALPHA_MIN 1e-3
 #define PH_SPATIAL_ALPHA_MAX 2.0943951023931953 /* 2 pi / 3 */
 
+/* A minimum as far as rough descents know it. */
+struct ph_spatial_start {
+  struct ph_spatial_point at;
+  double value;
+  bool plane; /* in the plane of plane data: b and phi stay */
+};
+
+enum { PH_SPATIAL_STARTS = 24 };
+
 /* What was found. */
 struct ph_spatial_minimum {
   struct ph_spatial_member member;
@@ -545,6 +555,8 @@ struct ph_spatial_minimum {
   double value;   /* of the functional, by ph_fair3_of */
   size_t evaluations, work; /* work: in those of the rough quadrature */
   bool at_bound; /* alpha is free and on a bound: the minimum moves with it */
+  size_t starts; /* the least first, none in the plane of plane data */
+  struct ph_spatial_start start[PH_SPATIAL_STARTS];
 };
 
 /*
@@ -559,9 +571,11 @@ enum ph_status ph_spatial_minimize(const struct ph_spatial_search *search,
                                    struct ph_spatial_minimum *found);
 
 /*
- * ph_spatial_descend: a local minimum.
+ * ph_spatial_descend: the least of the minima that those of data nearby lead
+ * to.
  *
- * inout found  member and alpha of the start, the latter within its bounds
+ * inout found  of the data nearby, with the same bounds of alpha; without
+ *              starts any member, which leads to a local minimum
  */
 enum ph_status ph_spatial_descend(const struct ph_spatial_search *search,
                                   const struct ph_fair3_rules *rules,

@@ -106,13 +106,8 @@ PH_TEST(test_value) {
     struct ph_spatial_point at = {unit_random_in(&r, -3, 3), 0.3,
                                   unit_random_in(&r, 0.01, 2)};
     struct ph_spatial_minimum same = {
-        {ph_cplx_polar(at.b), ph_cplx_polar(at.phi)},
-        at.alpha,
-        0,
-        0,
-        0,
-        0,
-        false};
+        .member = {ph_cplx_polar(at.b), ph_cplx_polar(at.phi)},
+        .alpha = at.alpha};
     double found = ph_spatial_fair(&target, 64, &at, NULL);
     if (fabs(found / ph_spatial_fair(&target, 32, &at, NULL) - 1) < 1e-9) {
       ck_rel(found, value_of(&search, &same), 1e-9);
@@ -307,13 +302,8 @@ PH_TEST(test_descend) {
     struct ph_spatial_search search = search_of(&data, n % 2, 1 + n / 2 % 2);
     struct ph_spatial_minimum least = minimize(&search), found = least;
     struct ph_spatial_minimum start = {
-        {unit_random_phase(&r), unit_random_phase(&r)},
-        n % 2 ? 0.8 : 0,
-        0,
-        0,
-        0,
-        0,
-        false};
+        .member = {unit_random_phase(&r), unit_random_phase(&r)},
+        .alpha = n % 2 ? 0.8 : 0};
     double before = value_of(&search, &start);
     ck_assert_int_eq(ph_spatial_descend(&search, &rules, &unit_arena, &found),
                      PH_OK);
@@ -422,13 +412,8 @@ static double grid_least(const struct ph_spatial_search *search) {
   }
   for (size_t k = 0; k < kept; k++) {
     struct ph_spatial_minimum found = {
-        {ph_cplx_polar(best[k].b), ph_cplx_polar(best[k].phi)},
-        best[k].alpha,
-        0,
-        0,
-        0,
-        0,
-        false};
+        .member = {ph_cplx_polar(best[k].b), ph_cplx_polar(best[k].phi)},
+        .alpha = best[k].alpha};
     ck_assert_int_eq(ph_spatial_descend(search, &rules, &unit_arena, &found),
                      PH_OK);
     least = found.value < least ? found.value : least;
