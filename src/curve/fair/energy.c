@@ -21,8 +21,8 @@
 #include <float.h>
 #include <math.h>
 
-/* The rule whose halves are compared: 16 nodes. */
-enum { HALVED_RULE = 4 };
+/* The rule whose halves are compared. */
+enum { HALVED_RULE = PH_PIECE_SIXTEEN };
 
 /* Intervals of one segment, at most; 2^-50 of it is at the rounding of u. */
 enum { DEPTH_MAX = 50, PARTS_MAX = 4096 };

@@ -11,7 +11,8 @@
  * zeros, one on the ellipse and the other on it or beyond, near the same place,
  * its mirror images or anywhere, the worst was near 2e-13 there; and up to
  * which angle of an ATPH segment, of 2000 pairs. */
-static const size_t NODES[PH_PIECE_RULES] = {4, 6, 8, 12, 16, 20};
+static const size_t NODES[PH_PIECE_RULES] = {
+    4, 6, 8, 12, [PH_PIECE_SIXTEEN] = 16, 20};
 static const double ENOUGH[PH_PIECE_RULES] = {200, 30, 12.5, 5.3, 3.1, 2.4};
 static const double ANGLE[PH_PIECE_RULES] = {0, 0.25, 0.5, 2.1, PH_PI, PH_PI};
 

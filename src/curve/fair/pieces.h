@@ -19,9 +19,15 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Rules of 4 to 20 nodes; cuts in half, to 1/256 of a segment; pieces: of each
- * size no more than 3 for either zero are cut, into one more each. */
-enum { PH_PIECE_RULES = 6, PH_PIECE_CUTS = 8, PH_PIECES_MAX = 64 };
+/* Rules of 4 to 20 nodes, and which has 16; cuts in half, to 1/256 of a
+ * segment; pieces: of each size no more than 3 for either zero are cut, into
+ * one more each. */
+enum {
+  PH_PIECE_RULES = 6,
+  PH_PIECE_SIXTEEN = 4,
+  PH_PIECE_CUTS = 8,
+  PH_PIECES_MAX = 64
+};
 
 struct ph_piece {
   double from, to; /* in [0,1] */
