@@ -129,6 +129,14 @@ echo '{"points":[[2229065.45617269,16031338.93436713],
 made tc --offset=9 <still
 verified 'an offset beside a point at rest' 1 --problems=still
 
+# a curve that all but stops next to an end of its segment: its normals turn
+# once around there, on 1e-5 of it, and Bezier pieces must follow
+echo '{"points":[[113530000,0,0],[0,114000000,-140172000]],"basis":"atph",
+  "alpha":[0.00001],"derivatives":[[-109133000,109000000,-134743000],
+  [-172700000,0,-213200000]],"criterion":"hc"}' >still
+made spatial-hermite --offset=-2 <still
+verified 'Bezier pieces of an offset beside a place of rest' 1 --problems=still
+
 # loops whose legs are as short as 500 roundings of their points: where they
 # meet, these turn them
 echo '{"points":[[23117.463683140613,17638.662272387228],

@@ -126,19 +126,20 @@ static void bezier_of(const struct jet *a, const struct jet *b, double h,
                        b->second);
 }
 
-/* |A| and |A'|, or |w| and |w'|. */
-static void preimage_at(const struct walk *walk, double u, double size[2]) {
+/* |A| and |A'|, or |w| and |w'|; ret  A . A', of the sign of |A|' */
+static double preimage_at(const struct walk *walk, double u, double size[2]) {
+  ph_quat a[2];
   if (walk->curve->dimension == 2) {
     ph_cplx w[2];
     ph_atph_jet(&walk->seg2.space, walk->seg2.w, u, w, 2);
-    size[0] = ph_cplx_abs(w[0]);
-    size[1] = ph_cplx_abs(w[1]);
+    a[0] = ph_quat_of(w[0].re, w[0].im, 0, 0);
+    a[1] = ph_quat_of(w[1].re, w[1].im, 0, 0);
   } else {
-    ph_quat a[2];
     ph_seg3_jet(&walk->seg3, u, a, 2);
-    size[0] = ph_quat_abs(a[0]);
-    size[1] = ph_quat_abs(a[1]);
   }
+  size[0] = ph_quat_abs(a[0]);
+  size[1] = ph_quat_abs(a[1]);
+  return ph_quat_dot(a[0], a[1]);
 }
 
 static double size_at(const void *walk, double u) {
@@ -149,16 +150,20 @@ static double size_at(const void *walk, double u) {
 
 /* Places of dips, and beside each, where the curve has turned by a quarter. */
 static void find_slow(struct walk *walk) {
-  double g[CELLS + 1];
+  double g[CELLS + 1], size[2];
+  const bool falls = preimage_at(walk, 0, size) < 0;
+  const bool rises = preimage_at(walk, 1, size) > 0;
   walk->slow_n = 0;
   for (size_t i = 0; i <= CELLS; i++) {
     g[i] = size_at(walk, (double)i / CELLS);
   }
-  for (size_t i = 1; i < CELLS && walk->slow_n + 3 <= SLOW; i++) {
-    if (g[i] < g[i - 1] && g[i] <= g[i + 1]) {
-      struct ph_bracket b = {(double)(i - 1) / CELLS, (double)i / CELLS,
-                             (double)(i + 1) / CELLS, g[i]};
-      double size[2], width;
+  for (size_t i = 0; i <= CELLS && walk->slow_n + 3 <= SLOW; i++) {
+    const size_t before = i > 0 ? i - 1 : i, after = i < CELLS ? i + 1 : i;
+    if ((i > 0 ? g[i] < g[before] : falls) &&
+        (i < CELLS ? g[i] <= g[after] : rises)) {
+      struct ph_bracket b = {(double)before / CELLS, (double)i / CELLS,
+                             (double)after / CELLS, g[i]};
+      double width;
       ph_golden(size_at, walk, STEPS, &b);
       preimage_at(walk, b.x, size);
       width = size[0] / size[1];
