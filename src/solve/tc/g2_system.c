@@ -272,7 +272,7 @@ static bool set_ends(void *context, size_t thread, size_t first, size_t end) {
     if (!(c->span[i].form == PH_G2_ARC ? ph_g2_arc(a, b, e)
                                        : ph_g2_bend_ends(a, b, e))) {
       atomic_store(&evaluation->refused, true);
-      return false;
+      e->f = e->g = (double)NAN; /* the others are the same for any threads */
     }
     e->f -= s->h * s->log_length[i];
     e->g -= s->h * s->log_length[i];
