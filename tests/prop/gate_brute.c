@@ -21,6 +21,10 @@ static const double SAME = 1e-6;
 static const real ROUNDING = DBL_EPSILON;
 enum { ROUND_CURVATURE = 16, ROUND_SLOPE = 256, ROUND_ANGLE = 16 };
 
+/* In space what is as straight as 1e-13 (FLAT of curve/fair/fair3.c) is a line:
+ * its kappa L is 0 then, and not ten times that. */
+static const real STRAIGHT = 1e-12L;
+
 /* Panels of the quadrature, and halvings of one, at most; how well halves agree
  * with the whole. */
 enum { PANELS = 8, HALVINGS = 60, CALLS = 20000 };
@@ -269,8 +273,10 @@ static real rounding_of(real integral, real square) {
 }
 
 static bool fair_of(const struct ph_curve *curve, struct fair *fair) {
-  const real f1 = square(ROUND_CURVATURE * ROUNDING);
-  const real f2 = square(ROUND_SLOPE * ROUNDING);
+  const real round =
+      curve->dimension == 2 ? ROUND_CURVATURE * ROUNDING : STRAIGHT;
+  const real f1 = square(round);
+  const real f2 = square(round * ROUND_SLOPE / ROUND_CURVATURE);
   *fair = (struct fair){.f1 = 0};
   for (size_t k = 0; k < curve->n; k++) {
     struct segment s;
