@@ -90,6 +90,8 @@ static void twist(struct jet jet, ph_vec3 turn, ph_vec3 change,
  * In the plane by w = A, with n = |w|^2, C = w x w', D = w x w'', S = w . w':
  *
  *   kappa = 2 C / n^2,  kappa' = 2 D / n^2 - 8 C S / n^3                 (2)
+ *
+ * [derived here from (1), with r' = w^2; tested by verify-degenerate.t]
  */
 static struct ph_check_bend plane_at(const struct ph_check_root *root,
                                      double u) {
