@@ -338,8 +338,9 @@ static double part_of(const struct ph_check_distance *d, double from, double to,
   const ph_cplx *curve = d->low.c;
   size_t degree = d->low.degree;
   double lost;
-  if (ph_bern_low_part(&d->low, from, to, LOST * d->sampled, part->c, &lost)) {
-    part->degree = PH_BERN_LOW;
+  part->degree =
+      ph_bern_low_part(&d->low, from, to, LOST * d->sampled, part->c, &lost);
+  if (part->degree > 0) {
     return lost;
   }
   part->degree = degree;

@@ -53,7 +53,7 @@ void ph_bern_cut(const ph_cplx *c, size_t degree, double u, ph_cplx *left,
  *
  *   out[k] = sum_j c[j] C(from, j) C(to - from, k - j) / C(to, k)
  *
- * in   c[from + 1]  from <= 9, or to; more would leave the range of a double
+ * in   c[from + 1]  from <= 48, or to; more would leave the range of a double
  * out  out[to + 1]  to <= 500; not c
  */
 void ph_bern_lift(const ph_cplx *c, size_t from, size_t to, ph_cplx *out);

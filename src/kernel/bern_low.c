@@ -6,7 +6,6 @@
 
 #include <float.h>
 #include <math.h>
-#include <string.h>
 
 enum { N = PH_BERN_LOW + 1 };
 
@@ -18,6 +17,9 @@ static const double TAIL = 0x1p-70;
  * totally positive system, which does not grow [HIG02, thm. 9.12], 3 N of it,
  * times that constant. */
 static const double ROUNDING_BY_ROOT = 16, ROUNDING = 16 * N;
+
+/* Rounding of two cuts, in eps of the largest coordinate for each degree. */
+static const double CUTTING = 4;
 
 /* ---- values -------------------------------------------------------------- */
 
@@ -111,55 +113,88 @@ static double difference(ph_cplx *c, size_t n) {
   return largest;
 }
 
+/* What is taken parts of. */
+static const ph_cplx *source(const struct ph_bern_low *low, size_t *degree) {
+  *degree = low->near_degree > 0 ? low->near_degree : low->degree;
+  return low->near_degree > 0 ? low->near : low->c;
+}
+
 void ph_bern_low_of(struct ph_bern_low *low, const ph_cplx *c, size_t degree,
                     ph_cplx *room) {
   double size = 0, largest = 0, error = 0, scale = 2;
+  const ph_cplx *from;
+  size_t n;
   low->c = c;
   low->degree = degree;
+  low->near_degree = 0;
+  low->away = 0;
   low->rest = (double)INFINITY;
   low->rounding = (double)INFINITY;
   if (degree < PH_BERN_HIGH) {
     return;
   }
-  for (size_t k = 0; k <= degree; k++) {
-    size = fmax(size, ph_cplx_abs(c[k]));
-    room[k] = c[k];
+  low->near_degree = ph_bern_near(c, degree, room, low->near, &low->away);
+  from = source(low, &n);
+  for (size_t k = 0; k <= n; k++) {
+    size = fmax(size, ph_cplx_abs(from[k]));
+    room[k] = from[k];
   }
   for (size_t step = 0; step < N; step++) {
-    largest = difference(room, degree + 1 - step);
+    largest = difference(room, n + 1 - step);
     error = 2 * error + DBL_EPSILON * largest;
-    scale *= (double)(degree - step) / (double)(step + 1) / 4;
+    scale *= (double)(n - step) / (double)(step + 1) / 4;
   }
   low->rest = scale * (largest + error);
   low->rounding =
-      (ROUNDING_BY_ROOT * sqrt((double)degree) + ROUNDING) * DBL_EPSILON * size;
+      (ROUNDING_BY_ROOT * sqrt((double)n) + ROUNDING) * DBL_EPSILON * size;
+  low->cutting = CUTTING * (double)n * DBL_EPSILON * size;
   factor(low);
 }
 
-bool ph_bern_low_part(const struct ph_bern_low *low, double from, double to,
-                      double allowed, ph_cplx *part, double *lost) {
-  double miss = low->rest * pow(to - from, N) + low->rounding;
-  ph_cplx first, end[2];
-  if (!(miss <= allowed)) {
-    return false;
-  }
-  end[0] = ph_bern_value(low->c, low->degree, from);
-  end[1] = ph_bern_value(low->c, low->degree, to);
-  first = end[0];
+/* The part by values; their differences from the first are what is small. */
+static void interpolate(const struct ph_bern_low *low, double from, double to,
+                        ph_cplx *part) {
+  size_t n;
+  const ph_cplx *c = source(low, &n);
+  const ph_cplx first = ph_bern_value(c, n, from);
   for (size_t i = 0; i < N; i++) {
     double u = from + low->node[i] * (to - from);
-    part[i] = ph_cplx_sub(ph_bern_value(low->c, low->degree, u), first);
+    part[i] = ph_cplx_sub(ph_bern_value(c, n, u), first);
   }
   solve(low, part);
   for (size_t i = 0; i < N; i++) {
     part[i] = ph_cplx_add(part[i], first);
   }
+}
+
+/* The part of what stands for the whole. */
+static void cut_near(const struct ph_bern_low *low, double from, double to,
+                     ph_cplx *part) {
+  ph_cplx left[PH_BERN_NEAR + 1], right[PH_BERN_NEAR + 1];
+  ph_bern_cut(low->near, low->near_degree, to, left, right);
+  ph_bern_cut(left, low->near_degree, to > 0 ? from / to : 0, right, part);
+}
+
+size_t ph_bern_low_part(const struct ph_bern_low *low, double from, double to,
+                        double allowed, ph_cplx *part, double *lost) {
+  double miss = low->rest * pow(to - from, N) + low->rounding + low->away;
+  size_t degree = PH_BERN_LOW;
+  if (miss <= allowed) {
+    interpolate(low, from, to, part);
+  } else if (low->near_degree > 0 && low->away + low->cutting <= allowed) {
+    degree = low->near_degree;
+    miss = low->away + low->cutting;
+    cut_near(low, from, to, part);
+  } else {
+    return 0;
+  }
   /* it begins and ends where the curve does */
   for (size_t i = 0; i < 2; i++) {
-    ph_cplx *at = &part[i * PH_BERN_LOW];
-    miss += ph_cplx_abs(ph_cplx_sub(end[i], *at));
-    *at = end[i];
+    ph_cplx *at = &part[i * degree];
+    ph_cplx end = ph_bern_value(low->c, low->degree, i == 0 ? from : to);
+    miss += ph_cplx_abs(ph_cplx_sub(end, *at));
+    *at = end;
   }
   *lost = miss;
-  return miss <= allowed;
+  return miss <= allowed ? degree : 0;
 }

@@ -11,13 +11,16 @@
  *
  * is lost, by the remainder of interpolation [DAV75, sec. 3.1, 3.3] and as a
  * derivative in Bernstein form is a convex combination of its coefficients.
+ *
+ * Where n is so high that the differences are rounding, p is one of a middle
+ * degree (bern_near.h), if there is one.
  */
 #ifndef PH_KERNEL_BERN_LOW_H
 #define PH_KERNEL_BERN_LOW_H
 
+#include "kernel/bern_near.h"
 #include "kernel/cplx.h"
 
-#include <stdbool.h>
 #include <stddef.h>
 
 /* The low degree; and the least that it is worth while for. */
@@ -26,6 +29,10 @@ enum { PH_BERN_LOW = 15, PH_BERN_HIGH = 2 * PH_BERN_LOW + 3 };
 struct ph_bern_low {
   const ph_cplx *c; /* [degree + 1], not copied */
   size_t degree;
+  ph_cplx near[PH_BERN_NEAR + 1]; /* what stands for it, */
+  size_t near_degree;             /* 0: nothing does, */
+  double away;                    /* and how far it is from there */
+  double cutting;                 /* what rounding adds to a part of that */
   double rest;     /* what is lost, over h^(LOW + 1); infinite below HIGH */
   double rounding; /* and what rounding adds to it */
   double node[PH_BERN_LOW + 1];                /* in [0,1] */
@@ -50,13 +57,14 @@ void ph_bern_low_of(struct ph_bern_low *low, const ph_cplx *c, size_t degree,
                     ph_cplx *room);
 
 /*
- * ph_bern_low_part: the part [from, to] as a polynomial of degree LOW.
+ * ph_bern_low_part: the part [from, to] as a polynomial of degree LOW, or of
+ * the middle degree.
  *
  * in   allowed  that may be lost
- * out  part[PH_BERN_LOW + 1], lost
- * ret  false where more might be: part is of no use then
+ * out  part[degree + 1], lost
+ * ret  its degree; 0 where more might be lost: part is of no use then
  */
-bool ph_bern_low_part(const struct ph_bern_low *low, double from, double to,
-                      double allowed, ph_cplx *part, double *lost);
+size_t ph_bern_low_part(const struct ph_bern_low *low, double from, double to,
+                        double allowed, ph_cplx *part, double *lost);
 
 #endif

@@ -120,10 +120,11 @@ struct part {
 static struct part part_of(const struct ph_tc_target *t,
                            const struct ph_tc_knot *from,
                            const struct ph_tc_knot *to, double tolerance) {
-  struct part part = {.t = t, .p = t->part, .degree = PH_BERN_LOW, .lost = 0};
+  struct part part = {.t = t, .p = t->part, .lost = 0};
   size_t n = t->degree;
-  if (ph_bern_low_part(&t->low, from->u, to->u, LOST * tolerance, t->part,
-                       &part.lost)) {
+  part.degree = ph_bern_low_part(&t->low, from->u, to->u, LOST * tolerance,
+                                 t->part, &part.lost);
+  if (part.degree > 0) {
     return part;
   }
   part.degree = n;

@@ -56,11 +56,21 @@ PH_TEST(test_slope) {
   }
 }
 
+/* Nowhere does a part lose more than is said. */
+static void ck_part(const ph_cplx *c, size_t n, double from, double h,
+                    const ph_cplx *part, size_t degree, double lost) {
+  for (int at = 0; at <= 20; at++) {
+    ph_cplx p = ph_bern_value(c, n, from + h * (at / 20.0));
+    ph_cplx q = ph_bern_value(part, degree, at / 20.0);
+    ck_abs(ph_cplx_abs(ph_cplx_sub(p, q)), 0, lost + 1e-16);
+  }
+}
+
 /* A part beside the curve: nowhere is more lost than is said, and on a small
  * part nothing much. */
 PH_TEST(test_part) {
   struct unit_random r = unit_random_of(3);
-  ph_cplx c[DEGREE_MAX + 1], room[DEGREE_MAX + 1], part[PH_BERN_LOW + 1];
+  ph_cplx c[DEGREE_MAX + 1], room[DEGREE_MAX + 1], part[DEGREE_MAX + 1];
   struct ph_bern_low low;
   int kept = 0, refused = 0;
   for (size_t i = 0; i < DEGREES; i++) {
@@ -69,27 +79,47 @@ PH_TEST(test_part) {
       double h = pow(10, unit_random_in(&r, -5, 0)), lost = 0;
       double from = unit_random_in(&r, 0, 1 - h);
       double allowed = pow(10, unit_random_in(&r, -13, -2));
+      size_t degree;
       make(&r, n, trial % 2 == 1, c);
       ph_bern_low_of(&low, c, n, room);
-      if (!ph_bern_low_part(&low, from, from + h, allowed, part, &lost)) {
+      degree = ph_bern_low_part(&low, from, from + h, allowed, part, &lost);
+      if (degree == 0) {
         refused++;
         continue;
       }
       kept++;
       ck_assert(n >= PH_BERN_HIGH && lost <= allowed);
-      for (int at = 0; at <= 20; at++) {
-        ph_cplx p = ph_bern_value(c, n, from + h * (at / 20.0));
-        ph_cplx q = ph_bern_value(part, PH_BERN_LOW, at / 20.0);
-        ck_abs(ph_cplx_abs(ph_cplx_sub(p, q)), 0, lost + 1e-16);
-      }
+      ck_part(c, n, from, h, part, degree, lost);
     }
   }
   ck_assert(kept > 60 && refused > 60);
 }
 
+/* A wave of a high degree needs no cut of its own, whatever part is asked for:
+ * what is rounding in its differences is none in what stands for it. */
+PH_TEST(test_part_wide) {
+  struct unit_random r = unit_random_of(5);
+  ph_cplx c[DEGREE_MAX + 1], room[DEGREE_MAX + 1], part[DEGREE_MAX + 1];
+  int middle = 0;
+  for (int trial = 0; trial < 60; trial++) {
+    struct ph_bern_low low;
+    size_t n = 240 + unit_random_below(&r, 261);
+    double h = unit_random_in(&r, .1, 1), from = unit_random_in(&r, 0, 1 - h);
+    double lost;
+    size_t degree;
+    make(&r, n, false, c);
+    ph_bern_low_of(&low, c, n, room);
+    degree = ph_bern_low_part(&low, from, from + h, 1e-10, part, &lost);
+    ck_that(degree > 0, "degree %zu, %g from %g", n, h, from);
+    ck_part(c, n, from, h, part, degree, lost);
+    middle += degree > PH_BERN_LOW;
+  }
+  ck_assert(middle > 10);
+}
+
 PH_TEST(test_part_ends) {
   struct unit_random r = unit_random_of(4);
-  ph_cplx c[DEGREE_MAX + 1], room[DEGREE_MAX + 1], part[PH_BERN_LOW + 1];
+  ph_cplx c[DEGREE_MAX + 1], room[DEGREE_MAX + 1], part[DEGREE_MAX + 1];
   struct ph_bern_low low;
   double lost;
   make(&r, 240, false, c);
