@@ -365,6 +365,7 @@ static void table_row(const struct row *row) {
 int main(int argc, char **argv) {
   const char *name = argc > 1 ? argv[1] : "";
   gsl_set_error_handler_off();
+  ph_memory_keep(); /* as the program does */
   puts(
       "Samples, 300 of a segment, millions a second of processor time: by the\n"
       "sampler, whole curves by each rule (few: 10 of a segment), and splines "
