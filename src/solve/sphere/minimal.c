@@ -60,6 +60,10 @@ static const double PROGRESS = 5e-4;
  * all is solved once more in the end. */
 static const double LINEAR = 1e-2;
 
+/* Angles up to which the response, and what follows it, lead to the solution in
+ * a few steps: beyond, Newton's iteration needs no more time. */
+static const double RESPONDS = 0.5;
+
 /* A block on its way. */
 struct block {
   struct ph_sphere_raise *raise;
@@ -78,7 +82,8 @@ struct block {
   double *norm;               /* [ROWS_MAX] what its rows were divided by */
   double *rhs;                /* [ROWS_MAX] */
   struct ph_lp_work lp;
-  bool linear; /* angles are so small that the response is the solution */
+  bool responds; /* the model has a response to tensions, */
+  bool linear;   /* which is the solution, as angles are so small */
   struct ph_sphere_response response; /* of what is solved */
 };
 
@@ -147,6 +152,12 @@ static bool solve_at(struct block *b, const double *nu) {
   if (b->linear) {
     ph_sphere_respond(s, &b->response, 0, b->solved.count, b->raise->work);
     return true;
+  }
+  if (b->responds) {
+    if (ph_sphere_respond_well(s, &b->response, b->raise->work)) {
+      return true;
+    }
+    restore_at(b, 0, b->solved.count);
   }
   if (ph_sphere_newton(s, b->solved, b->raise->work)) {
     return true;
@@ -218,7 +229,7 @@ static struct ph_sphere_range near_of(const struct block *b, size_t i) {
 /* One step of Newton's iteration at these. */
 static void step_at(struct block *b, struct ph_sphere_range near) {
   struct ph_sphere_spline *s = b->raise->spline;
-  if (b->linear) {
+  if (b->responds) {
     ph_sphere_respond(s, &b->response, near.first, near.count, b->raise->work);
   } else {
     near.first = ph_sphere_node(s->data, b->solved, near.first);
@@ -254,7 +265,7 @@ static void differentiate_by(struct block *b, size_t j) {
 
 /* g and its derivatives at the tensions that are kept. */
 static void differentiate(struct block *b) {
-  if (b->linear) {
+  if (b->responds) {
     ph_sphere_response_of(b->raise->spline, b->solved, &b->response);
   }
   b->row[0] = 0;
@@ -393,20 +404,22 @@ static void halve(struct block *b) {
   restore(b);
 }
 
-/* Whether all angles where the spline changes are small. */
-static bool is_linear(const struct block *b) {
-  const struct ph_sphere_spline *s = b->raise->spline;
-  bool small = s->model->retension != NULL;
-  for (size_t j = 0; small && j <= b->solved.count; j++) {
-    small = s->data->theta[segment_at(b, j)] <= LINEAR;
+/* The largest angle where the spline changes. */
+static double largest_angle(const struct block *b) {
+  const struct ph_sphere_data *d = b->raise->spline->data;
+  double largest = 0;
+  for (size_t j = 0; j <= b->solved.count; j++) {
+    largest = fmax(largest, d->theta[segment_at(b, j)]);
   }
-  return small;
+  return largest;
 }
 
 static void minimise_block(struct block *b) {
   double box = BOX;
-  b->linear = is_linear(b);
-  if (b->linear) {
+  double angle = largest_angle(b);
+  b->responds = b->raise->spline->model->retension && angle <= RESPONDS;
+  b->linear = b->responds && angle <= LINEAR;
+  if (b->responds) {
     ph_sphere_response_of(b->raise->spline, b->solved, &b->response);
   }
   keep(b);

@@ -329,6 +329,16 @@ void ph_sphere_respond(struct ph_sphere_spline *s,
                        const struct ph_sphere_response *response, size_t first,
                        size_t count, struct ph_sphere_work *work);
 
+/*
+ * ph_sphere_respond_well: the same of the whole range with what is neglected,
+ * by further steps with the same matrix: x to 1e-6 of the speed.
+ *
+ * ret  false: they do not lead there; x, r and l are anything
+ */
+bool ph_sphere_respond_well(struct ph_sphere_spline *s,
+                            const struct ph_sphere_response *response,
+                            struct ph_sphere_work *work);
+
 /* ---- from nothing -------------------------------------------------------- */
 
 /* A spherical nu-spline at given tensions, from nothing. */

@@ -85,3 +85,34 @@ PH_TEST(test_g2) {
     unit_sphere_free(&u);
   }
 }
+
+/* What other tensions make of a spline, by steps with the matrix of those that
+ * it has: up to where steps are half a radian. */
+PH_TEST(test_response) {
+  struct unit_random r = unit_random_of(713);
+  for (int t = 0; t < TRIALS; t++) {
+    struct ph_sphere_response response;
+    struct unit_sphere u;
+    struct ph_sphere_range all;
+    ph_vec3 p[UNIT_SPHERE_MAX], x[UNIT_SPHERE_MAX];
+    double most = t % 2 ? 0.5 : 0.02;
+    unit_sphere_path(&r, UNIT_SPHERE_MAX, most / 2, most, p);
+    unit_sphere_of(&u, UNIT_SPHERE_MAX, p, false, PH_SPHERE_NATURAL,
+                   &ph_sphere_exact);
+    all = ph_sphere_all(&u.data);
+    ck_assert(ph_sphere_response_alloc(&response, &u.arena, all.count));
+    ck_assert(ph_sphere_solve(&u.spline, &u.work));
+    ph_sphere_response_of(&u.spline, all, &response);
+    for (size_t i = 3; i < UNIT_SPHERE_MAX; i += 5) {
+      u.spline.nu[i] =
+          ph_sphere_stiffness(&u.data, i) * unit_random_in(&r, 0, 30);
+    }
+    ck_assert(ph_sphere_respond_well(&u.spline, &response, &u.work));
+    memcpy(x, u.spline.x, sizeof x);
+    ck_assert(ph_sphere_newton(&u.spline, all, &u.work));
+    for (size_t i = 1; i + 1 < UNIT_SPHERE_MAX; i++) {
+      ck_abs(ph_vec3_abs(ph_vec3_sub(x[i], u.spline.x[i])), 0, 1e-6);
+    }
+    unit_sphere_free(&u);
+  }
+}
