@@ -201,7 +201,7 @@ static void walk_batch(struct batch *b) {
   double *v = bench_malloc(BATCH + 1, 3 * sizeof *v);
   ph_vec3 *t = bench_malloc(BATCH + 1, sizeof *t);
   walk(&state, BATCH + 1, v);
-  ph_spatial_tangents(v, BATCH + 1, false, t);
+  ph_spatial_tangents(v, BATCH + 1, 3, false, t);
   for (size_t k = 0; k < BATCH; k++) {
     ph_vec3 p = ph_vec3_get(v + 3 * k, 3), q = ph_vec3_get(v + 3 * k + 3, 3);
     struct ph_spatial_data *data = &b->data[k];

@@ -119,7 +119,7 @@ static void run(struct work *w, int round) {
 
 static double size_of(const struct ph_curve *c) {
   double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
-  for (size_t i = 0; i < 2 * c->n * (c->degree + 1); i++) {
+  for (size_t i = 0; i < 2 * ph_curve_points_n(c); i++) {
     const double x = c->control_points[i];
     low[i % 2] = fmin(low[i % 2], x);
     high[i % 2] = fmax(high[i % 2], x);
@@ -137,7 +137,7 @@ static void write_polygon(const struct ph_curve *c, double tolerance,
     bench_die("cannot write the polygon");
   }
   for (size_t k = 0; k < c->n; k++) {
-    const double *p = c->control_points + 2 * (n + 1) * k;
+    const double *p = ph_curve_points(c, k);
     double most = 0;
     size_t parts;
     for (size_t i = 0; i + 2 <= n; i++) {

@@ -19,12 +19,14 @@ static size_t finite_until(const double *x, size_t n) {
   return i;
 }
 
-/* Whether all segments have finite numbers of some kind, `each' of them. */
-static bool are_finite(struct ph_check *v, const double *x, size_t each,
-                       const char *member) {
-  size_t n = v->curve->n * each, i = finite_until(x, n);
+/* Whether n numbers of some kind are finite, every segment's first one `each'
+ * behind that of the one before. */
+static bool are_finite(struct ph_check *v, const double *x, size_t n,
+                       size_t each, const char *member) {
+  size_t i = finite_until(x, n), last = v->curve->n - 1;
   return i == n ||
-         wrong(v, ph_check_in(i / each, member), "holds what is not finite");
+         wrong(v, ph_check_in(i / each < last ? i / each : last, member),
+               "holds what is not finite");
 }
 
 static bool wrong_in(struct ph_check *v, const char *member, const char *what) {
@@ -100,6 +102,7 @@ static bool is_parametrised(struct ph_check *v) {
 
 static bool is_preimage(struct ph_check *v) {
   const struct ph_curve *c = v->curve;
+  const size_t each = c->preimage.n * c->preimage.dimension;
   if (!c->preimage.v) {
     return true;
   }
@@ -108,8 +111,7 @@ static bool is_preimage(struct ph_check *v) {
     return wrong(v, ph_check_in(0, "preimage"),
                  "is none of such control points");
   }
-  return are_finite(v, c->preimage.v, c->preimage.n * c->preimage.dimension,
-                    "preimage");
+  return are_finite(v, c->preimage.v, c->n * each, each, "preimage");
 }
 
 static bool is_sphere(struct ph_check *v) {
@@ -138,7 +140,7 @@ static bool is_sphere(struct ph_check *v) {
 bool ph_check_arrays(struct ph_check *v) {
   const struct ph_curve *c = v->curve;
   return is_of_command(v) && is_divided(v) &&
-         are_finite(v, c->control_points, (c->degree + 1) * c->dimension,
-                    "control_points") &&
+         are_finite(v, c->control_points, ph_curve_points_n(c) * c->dimension,
+                    ph_curve_stride(c), "control_points") &&
          is_parametrised(v) && is_preimage(v) && is_sphere(v);
 }

@@ -29,7 +29,7 @@ static bool set_scale(struct ph_check *v) {
   const struct ph_promise *promise = v->promise;
   const struct ph_curve *c = v->curve;
   const struct ph_value *points = v->data->points;
-  size_t n = c->n * (c->degree + 1);
+  size_t n = ph_curve_points_n(c);
   if (promise->unit != PH_UNIT_INTERVAL && points) {
     n = c->closed ? c->n : c->n + 1;
     return ph_check_scale_of(points->v, n, points->dimension, &v->scale);

@@ -32,7 +32,8 @@ enum ph_status ph_check_begin(struct ph_check *v, struct ph_check_data *data,
 void ph_check_segments(struct ph_check *v);
 
 /* ph_check_square: whether |r'| of a segment is a polynomial in its space, and
- * r' that of the claimed preimage; sets noise[k] and length[k]. */
+ * r' that of the claimed preimage; sets noise[k] and length[k], or checks the
+ * length, where these are not kept. */
 void ph_check_square(struct ph_check *v, struct ph_check_segment *s);
 
 /* ph_check_preimage: the claimed preimage of segment k as quaternions, at unit
@@ -44,7 +45,15 @@ void ph_check_preimage(const struct ph_check *v, size_t k, ph_quat *a);
 void ph_check_joint(struct ph_check *v, const struct ph_check_segment *a,
                     const struct ph_check_segment *b);
 
-/* ph_check_lengths: of all segments, intervals and the whole. */
+/*
+ * ph_check_length: of segment k, which the whole has, too.
+ *
+ * in   found  by quadrature; noise  how uncertain r' is
+ */
+void ph_check_length(struct ph_check *v, size_t k, double found, double noise);
+
+/* ph_check_lengths: of intervals and the whole; and of all segments whose
+ * lengths are kept. */
 void ph_check_lengths(struct ph_check *v);
 
 /* ph_check_tensions: what joins segments on a sphere. */

@@ -153,7 +153,6 @@ static void set_segments(const struct ph_check *v, struct ph_check_data *data) {
       ph_vec3 datum = ph_check_datum(v, data, i + 1, &off);
       last = ends_at(v, next, most, datum);
     }
-    data->first[i] = next;
     data->last[i] = last;
     next = last + 1;
   }
@@ -177,9 +176,12 @@ bool ph_check_data_of(struct ph_check *v, struct ph_check_data *data,
   data->misses = 0;
   data->uncertain = 0;
   data->measured = 0;
-  data->first = ph_arena_array(v->scratch, data->n, sizeof *data->first);
+  data->last = NULL;
+  if (v->intervals_n == 0 && v->curve->n == data->n) {
+    return true;
+  }
   data->last = ph_arena_array(v->scratch, data->n, sizeof *data->last);
-  if (!data->first || !data->last) {
+  if (!data->last) {
     *status = ph_fail_memory(v->diag);
     return false;
   }
@@ -191,7 +193,7 @@ size_t ph_check_interval(const struct ph_check_data *data, size_t k) {
   size_t i = 0, end = data->n;
   while (end - i > 1) {
     const size_t middle = i + (end - i) / 2;
-    if (data->first[middle] <= k) {
+    if (ph_check_first(data, middle) <= k) {
       i = middle;
     } else {
       end = middle;

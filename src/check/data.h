@@ -19,13 +19,22 @@ struct ph_check_data {
   bool lonlat;     /* points are longitudes and latitudes */
   double moved;    /* by how much of the radius points may be off a sphere */
   size_t n;        /* intervals */
-  size_t *first, *last; /* [n] their segments */
-  size_t i;             /* the interval of the next segment */
+  size_t *last;    /* [n] of their segments the last; NULL: each has one */
+  size_t i;        /* the interval of the next segment */
   double misses; /* sum of squares of the angles to tangents that were measured,
                   * in standard deviations */
   double uncertain; /* of their root: the largest */
   size_t measured;  /* so many */
 };
+
+/* ph_check_first, ph_check_last: segments of interval i. */
+static inline size_t ph_check_last(const struct ph_check_data *data, size_t i) {
+  return data->last ? data->last[i] : i;
+}
+static inline size_t ph_check_first(const struct ph_check_data *data,
+                                    size_t i) {
+  return i > 0 ? ph_check_last(data, i - 1) + 1 : 0;
+}
 
 /* ph_check_interval: the interval that segment k is of. */
 size_t ph_check_interval(const struct ph_check_data *data, size_t k);

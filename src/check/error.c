@@ -29,7 +29,7 @@ enum ph_status ph_check_conclude(const struct ph_check_error *const *check,
 
 enum ph_status ph_check_finite(const struct ph_curve *curve,
                                struct ph_diag *diag) {
-  size_t n = curve->n, points = n * (curve->degree + 1) * curve->dimension;
+  size_t n = curve->n, points = ph_curve_points_n(curve) * curve->dimension;
   size_t preimage = n * curve->preimage.n * curve->preimage.dimension;
   if (ph_are_finite(curve->control_points, points) &&
       ph_are_finite(curve->preimage.v, preimage) &&

@@ -88,28 +88,32 @@ static void check_area(struct ph_check *v, double length) {
                       least);
 }
 
+void ph_check_length(struct ph_check *v, size_t k, double found, double noise) {
+  const struct ph_curve *c = v->curve;
+  const double doubt = noise + ph_check_conversion(v);
+  if (c->lengths) {
+    check(v, ph_check_in(k, "length"), c->lengths[k], found,
+          doubt + v->allow->miss * v->interval);
+  }
+  ph_sum_add(&v->found, found);
+  v->doubt += doubt;
+}
+
 void ph_check_lengths(struct ph_check *v) {
   const struct ph_curve *c = v->curve;
-  struct ph_sum sum = {0, 0};
-  double allowance = 0, each = ph_check_conversion(v);
-  double miss = v->allow->miss * v->interval;
-  for (size_t k = 0; k < c->n; k++) {
-    if (c->lengths) {
-      check(v, ph_check_in(k, "length"), c->lengths[k], v->length[k],
-            v->noise[k] + each + miss);
-    }
-    ph_sum_add(&sum, v->length[k]);
-    allowance += v->noise[k] + each;
+  const double miss = v->allow->miss * v->interval;
+  for (size_t k = 0; v->length && k < c->n; k++) {
+    ph_check_length(v, k, v->length[k], v->noise[k]);
   }
   check(v,
         v->error ? ph_check_in(c->n - 1, NULL)
                  : ph_check_of("length", PH_CHECK_ONE, NULL),
-        c->length, ph_sum_value(&sum),
-        allowance + (v->data ? (double)v->data->n : 1) * miss);
+        c->length, ph_sum_value(&v->found),
+        v->doubt + (v->data ? (double)v->data->n : 1) * miss);
   for (size_t i = 0; i < v->intervals_n; i++) {
-    check_interval(v, i, each);
+    check_interval(v, i, ph_check_conversion(v));
   }
   if (!v->error && v->curve == &v->claim->curve) {
-    check_area(v, ph_sum_value(&sum));
+    check_area(v, ph_sum_value(&v->found));
   }
 }

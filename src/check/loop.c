@@ -543,8 +543,8 @@ enum ph_status ph_certify_loops(const struct ph_curve *curve,
   }
   status = ph_check_begin(&v, &data, &space);
   if (status == PH_OK &&
-      !ph_check_scale_of(curve->control_points, curve->n * (curve->degree + 1),
-                         2, &v.scale)) {
+      !ph_check_scale_of(curve->control_points, ph_curve_points_n(curve), 2,
+                         &v.scale)) {
     status = ph_fail(diag, PH_E_INTERNAL, "segments", "have no extent");
   }
   for (size_t i = 0; status == PH_OK && i < n; i++) {

@@ -7,6 +7,7 @@
 #define PH_CHECK_NOTE_H
 
 #include "base/mem.h"
+#include "base/sum.h"
 #include "kernel/quad.h"
 #include "kernel/vec3.h"
 #include "check/error.h"
@@ -71,11 +72,14 @@ struct ph_check {
 
   struct ph_check_data *data; /* of the problem (data.h), or NULL */
 
-  /* what was found of its segments */
+  /* what was found of its segments; NULL in certificates that need it once */
   double *length; /* [n] by quadrature; NaN where that failed */
   double *noise;  /* [n] by how much r' by u in [0,1] is uncertain */
   bool *rooted;   /* [n] whether the claimed preimage fits to rounding; not
                      looked for in certificates */
+
+  struct ph_sum found; /* of the lengths so far, by quadrature, */
+  double doubt;        /* and by how much that is uncertain */
 
   struct ph_check_rule rule;    /* of adaptive quadrature */
   struct ph_quad fixed;         /* for r' and |r'| of a hodograph */

@@ -154,7 +154,7 @@ static double mean_magnitude(const struct ph_check *v, size_t j) {
   double sum = 0;
   size_t first = j > 0 ? j - 1 : 0, last = j < data->n ? j : data->n - 1;
   for (size_t i = first; i <= last; i++) {
-    double h = t[data->last[i] + 1] - t[data->first[i]];
+    double h = t[ph_check_last(data, i) + 1] - t[ph_check_first(data, i)];
     sum += length_of(v, given, i) / h;
   }
   return sum / (double)(last - first + 1);
@@ -277,11 +277,12 @@ static void check_end(struct ph_check *v, const struct end *e) {
 void ph_check_given(struct ph_check *v, const struct ph_check_segment *s) {
   struct ph_check_data *data = v->data;
   size_t i = data->i;
-  struct end e = {s, 0, i, data->last[i] == data->first[i] + 1};
-  if (s->k == data->first[i]) {
+  struct end e = {s, 0, i,
+                  ph_check_last(data, i) == ph_check_first(data, i) + 1};
+  if (s->k == ph_check_first(data, i)) {
     check_end(v, &e);
   }
-  if (s->k == data->last[i]) {
+  if (s->k == ph_check_last(data, i)) {
     e.end = 1;
     e.datum = ++data->i;
     check_end(v, &e);
@@ -298,13 +299,13 @@ void ph_check_given_lengths(struct ph_check *v) {
   }
   for (size_t i = 0; i < data->n; i++) {
     double wanted = length_of(v, given, i), length = 0, allowance = 0;
-    for (size_t k = data->first[i]; k <= data->last[i]; k++) {
+    for (size_t k = ph_check_first(data, i); k <= ph_check_last(data, i); k++) {
       length += v->length[k];
       allowance += v->noise[k];
     }
     ph_check_miss(
         v, v->error ? PH_CHECK_LENGTH : PH_CHECK_PRESCRIBED,
-        v->error ? ph_check_in(data->last[i], NULL)
+        v->error ? ph_check_in(ph_check_last(data, i), NULL)
                  : ph_check_of("intervals", i, "length"),
         fabs(length - wanted), ph_check_unit(v->unit_length, length, v->mean),
         v->allow->length * length + v->allow->miss * v->interval + allowance,

@@ -6,6 +6,11 @@
 #include "check/local.h"
 #include "kernel/pi.h"
 
+/* A certificate looks at 6 nodes, and lets less pass than the coordinates have
+ * where these have three digits of the curve: between its nodes it may be this
+ * times as much, by the count of BETWEEN (square.c). */
+static const double BETWEEN_6 = 4.25;
+
 /* Lengths, relative. */
 static const double LENGTH = 1e-13;
 
@@ -166,6 +171,13 @@ void ph_check_form_load(const struct ph_check *v, struct ph_check_segment *s) {
   s->second[1] = ph_vec3_scale(-1, second_at(space, s->leg[m], s->leg[m - 1]));
 }
 
+double ph_check_rounding(const struct ph_check *v,
+                         const struct ph_check_segment *s) {
+  return PH_CHECK_ROUND_FIRST *
+         ph_check_smaller(s->reach,
+                          (v->error ? 1 : BETWEEN_6) * v->scale.rounding);
+}
+
 void ph_check_load(const struct ph_check *v, size_t k,
                    struct ph_check_segment *s) {
   const struct ph_curve *c = v->curve;
@@ -176,8 +188,8 @@ void ph_check_load(const struct ph_check *v, size_t k,
   s->spacing = c->knots[k + 1] - c->knots[k];
   s->speed = 0;
   s->kind->load(v, s);
-  s->noise = v->noise[k];
-  s->rooted = v->rooted[k];
+  s->noise = v->noise ? v->noise[k] : ph_check_rounding(v, s);
+  s->rooted = v->rooted && v->rooted[k];
 }
 
 /* ---- evaluation --------------------------------------------------------- */

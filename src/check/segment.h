@@ -78,6 +78,11 @@ struct ph_check_segment {
 void ph_check_load(const struct ph_check *v, size_t k,
                    struct ph_check_segment *s);
 
+/* ph_check_rounding: by how much r' of a segment may be off by rounding of the
+ * coordinates. */
+double ph_check_rounding(const struct ph_check *v,
+                         const struct ph_check_segment *s);
+
 /* ph_check_basis: S0 and S1 at u with their first n - 1 derivatives over
  * factorials, n <= PH_CHECK_JET.
  * out  series[2][PH_CHECK_JET] */

@@ -11,6 +11,8 @@ struct part {
   struct ph_diag diag;
   int fault; /* as in struct ph_check */
   size_t fault_at;
+  struct ph_sum found; /* ... */
+  double doubt;
 };
 
 struct share {
@@ -31,10 +33,14 @@ static bool check_part(void *context, size_t thread, size_t first, size_t end) {
   v.diag = &part->diag;
   v.status = PH_OK;
   v.fault = 0;
+  v.found = (struct ph_sum){0, 0};
+  v.doubt = 0;
   share->check(share->context, &v, first, end);
   part->status = v.status;
   part->fault = v.fault;
   part->fault_at = v.fault_at;
+  part->found = v.found;
+  part->doubt = v.doubt;
   return !ph_arena_late(v.scratch);
 }
 
@@ -42,6 +48,8 @@ static void join(struct ph_check *v, const struct part *part) {
   for (size_t k = 0; k < PH_CHECK_N; k++) {
     ph_check_join(&v->error[k], &part->error[k]);
   }
+  ph_sum_join(&v->found, &part->found);
+  v->doubt += part->doubt;
   if (part->status != PH_OK) {
     v->status = part->status;
     *v->diag = part->diag;

@@ -30,11 +30,6 @@ static const double SAME = 1e-9;
  * the circle over [0,1], and T_4(1 / the last) / cos(4 pi / 25) is 1.5. */
 static const double BETWEEN = 1.5;
 
-/* A certificate looks at 6 nodes, and lets less pass than the coordinates have
- * where these have three digits of the curve: between its nodes it may be this
- * times as much, by the same count. */
-static const double BETWEEN_6 = 4.25;
-
 /* One that misses it by no more, relative to the speed, tells its length. */
 static const double EXACT = 1e-13;
 
@@ -182,16 +177,21 @@ static double hodograph(const struct ph_check *v,
 /* By the fixed rule alone. */
 static void certify(struct ph_check *v, const struct ph_check_segment *s) {
   const struct ph_tolerance *allow = v->allow;
-  double miss, allowed = allow->square * s->speed;
+  double length, miss, allowed = allow->square * s->speed;
   ph_quat a[3];
   if (allow->square_of_size > 0) {
     allowed = ph_check_smaller(allowed, allow->square_of_size * v->scale.size);
   }
   ph_check_preimage(v, s->k, a);
-  v->length[s->k] = hodograph(v, s, a, &miss);
+  length = hodograph(v, s, a, &miss);
   ph_check_miss(v, PH_CHECK_PYTHAGOREAN, ph_check_in(s->k, "preimage"), miss,
                 ph_check_unit(v->unit_square, s->speed, 0),
                 allowed + allow->miss * v->interval + s->noise, NULL);
+  if (v->length) {
+    v->length[s->k] = length;
+  } else {
+    ph_check_length(v, s->k, length, s->noise);
+  }
 }
 
 /* A preimage that fits, or none. */
@@ -236,10 +236,10 @@ void ph_check_square(struct ph_check *v, struct ph_check_segment *s) {
   bool preimage = v->kind->square && v->curve->preimage.v;
   double miss = HUGE_VAL;
   ph_quat a[3];
-  s->noise = v->noise[s->k] =
-      PH_CHECK_ROUND_FIRST *
-      ph_check_smaller(s->reach,
-                       (v->error ? 1 : BETWEEN_6) * v->scale.rounding);
+  s->noise = ph_check_rounding(v, s);
+  if (v->noise) {
+    v->noise[s->k] = s->noise;
+  }
   if (v->error) {
     certify(v, s);
     return;

@@ -38,7 +38,7 @@ static double apart(ph_cplx a, ph_cplx b) {
 }
 
 static ph_cplx end_of(const struct ph_tc_check *c, size_t k) {
-  return ph_tc_check_scaled(c, c->curve->control_points + 8 * k + 6);
+  return ph_tc_check_scaled(c, ph_curve_points(c->curve, k) + 6);
 }
 
 /* How many cubics an interval has whose first one is number `first`: where the

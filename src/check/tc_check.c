@@ -56,7 +56,7 @@ ph_cplx ph_tc_check_direction(ph_cplx v) {
 }
 
 struct ph_tc_cubic ph_tc_check_load(const struct ph_tc_check *c, size_t k) {
-  const double *p = c->curve->control_points + 8 * k;
+  const double *p = ph_curve_points(c->curve, k);
   const double *w = c->curve->preimage.v + 4 * k;
   struct ph_tc_cubic s = {.speed = 0};
   double reach = 0, rounding = c->scale.rounding;

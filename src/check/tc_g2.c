@@ -322,7 +322,7 @@ void ph_check_curvature(struct ph_check *v) {
   double largest = 0;
   if (!is_promised(v) ||
       ph_tc_check_begin(&c, curve, v->scratch, curve->control_points,
-                        4 * curve->n, v->diag) != PH_OK) {
+                        ph_curve_points_n(curve), v->diag) != PH_OK) {
     return;
   }
   before = ph_tc_check_load(&c, curve->n - 1);

@@ -16,8 +16,9 @@
 static const struct ph_tolerance ROUNDING = {
     .point = 8, .gap = 4, .given = 8 * DBL_EPSILON};
 
-/* Segments of a part of a long curve, which take 0.5 ms. */
-enum { PART = 1024 };
+/* Segments of a part of a long curve, which take 0.5 ms; parts that are looked
+ * at together. */
+enum { PART = 1024, BLOCK = 256 };
 
 /* Numbers that were written with fewer digits may be the same to this. */
 static const double SAME = 1e-12;
@@ -27,8 +28,8 @@ static const double SAME = 1e-12;
 static bool begin_curve(struct ph_check *v) {
   const struct ph_curve *c = v->curve;
   double mean;
-  if (!ph_check_scale_of(c->control_points, c->n * (c->degree + 1),
-                         c->dimension, &v->scale)) {
+  if (!ph_check_scale_of(c->control_points, ph_curve_points_n(c), c->dimension,
+                         &v->scale)) {
     ph_check_wrong(v, PH_CHECK_SHAPE,
                    ph_check_of("segments", PH_CHECK_ONE, NULL),
                    "have no extent");
@@ -52,15 +53,19 @@ enum ph_status ph_check_begin(struct ph_check *v, struct ph_check_data *data,
   size_t n = c->n;
   v->knot = PH_CHECK_ROUND_KNOT * DBL_EPSILON *
             ph_check_larger(fabs(c->knots[0]), fabs(c->knots[n]));
-  v->length = ph_arena_array(v->scratch, n, sizeof *v->length);
-  v->noise = ph_arena_array(v->scratch, n, sizeof *v->noise);
-  v->rooted = ph_arena_array(v->scratch, n, sizeof *v->rooted);
-  if (!v->length || !v->noise || !v->rooted ||
-      !ph_quad_gauss(&v->fixed, nodes)) {
+  if (!v->error || v->promise->lengths) {
+    v->length = ph_arena_array(v->scratch, n, sizeof *v->length);
+    v->noise = ph_arena_array(v->scratch, n, sizeof *v->noise);
+    v->rooted = ph_arena_array(v->scratch, n, sizeof *v->rooted);
+    if (!v->length || !v->noise || !v->rooted) {
+      return ph_fail_memory(v->diag);
+    }
+    memset(v->noise, 0, n * sizeof *v->noise);
+    memset(v->rooted, 0, n * sizeof *v->rooted);
+  }
+  if (!ph_quad_gauss(&v->fixed, nodes)) {
     return ph_fail_memory(v->diag);
   }
-  memset(v->noise, 0, n * sizeof *v->noise);
-  memset(v->rooted, 0, n * sizeof *v->rooted);
   *space = ph_check_space_of(&v->fixed, c->degree - 1, 0);
   v->space = space;
   return ph_check_given_begin(v, data);
@@ -96,8 +101,10 @@ static bool check_range(struct ph_check *v, size_t first, size_t end,
   return true;
 }
 
-/* The segments at both ends of parts of a long curve. */
+/* Parts of a long curve from segment `from' on, and the segments at their ends.
+ */
 struct ends {
+  size_t from;
   struct ph_check_segment (*part)[2];
 };
 
@@ -109,8 +116,9 @@ static void check_part(const void *context, struct ph_check *v, size_t first,
   struct ph_check part = *v;
   part.space = &space;
   part.data = &data;
-  data.i = ph_check_interval(&data, first);
-  check_range(&part, first, end, ends->part[first / PART]);
+  data.i = ph_check_interval(&data, ends->from + first);
+  check_range(&part, ends->from + first, ends->from + end,
+              ends->part[first / PART]);
   part.space = v->space;
   part.data = v->data;
   *v = part;
@@ -119,22 +127,35 @@ static void check_part(const void *context, struct ph_check *v, size_t first,
 /* Certifies a long curve in parts; what comes out does not depend on who does
  * which.  False: it is to be gone through in one. */
 static bool check_parts(struct ph_check *v) {
-  const size_t n = v->curve->n, parts_n = (n + PART - 1) / PART;
-  struct ends ends = {NULL};
+  const size_t n = v->curve->n, most = (n + PART - 1) / PART;
+  struct ph_check_segment first, before;
+  struct ends ends = {0, NULL};
   if (n < 2 * PART || !v->error || !v->data ||
       ph_check_field(v, PH_F_TANGENT_SIGMA)) {
     return false;
   }
-  ends.part = ph_arena_array(v->scratch, parts_n, sizeof *ends.part);
+  ends.part = ph_arena_array(v->scratch, most < BLOCK ? most : BLOCK,
+                             sizeof *ends.part);
   if (!ends.part) {
     return false;
   }
-  ph_check_share(v, n, PART, check_part, &ends);
-  for (size_t i = 0; i < parts_n && !ph_arena_late(v->scratch); i++) {
-    const size_t next = i + 1 < parts_n ? i + 1 : 0;
-    if (next > i || v->curve->closed) {
-      ph_check_joint(v, &ends.part[i][1], &ends.part[next][0]);
+  for (; ends.from < n && !ph_arena_late(v->scratch);
+       ends.from += (size_t)BLOCK * PART) {
+    const size_t rest = n - ends.from;
+    const size_t size =
+        rest < (size_t)BLOCK * PART ? rest : (size_t)BLOCK * PART;
+    ph_check_share(v, size, PART, check_part, &ends);
+    for (size_t i = 0; i * PART < size && !ph_arena_late(v->scratch); i++) {
+      if (ends.from + i > 0) {
+        ph_check_joint(v, &before, &ends.part[i][0]);
+      } else {
+        first = ends.part[i][0];
+      }
+      before = ends.part[i][1];
     }
+  }
+  if (v->curve->closed && !ph_arena_late(v->scratch)) {
+    ph_check_joint(v, &before, &first);
   }
   return true;
 }
@@ -142,6 +163,8 @@ static bool check_parts(struct ph_check *v) {
 void ph_check_segments(struct ph_check *v) {
   const struct ph_curve *c = v->curve;
   struct ph_check_segment ends[2];
+  v->found = (struct ph_sum){0, 0};
+  v->doubt = 0;
   if (!check_parts(v) && check_range(v, 0, c->n, ends) && c->closed) {
     ph_check_joint(v, &ends[1], &ends[0]);
   }
@@ -212,10 +235,10 @@ static enum ph_status check_curve(struct ph_check *v) {
 /* Whether two curves have the same control points, but for rounding of them to
  * text. */
 static bool is_same(const struct ph_curve *a, const struct ph_curve *b) {
-  size_t n = a->n * (a->degree + 1) * a->dimension;
+  const size_t n = ph_curve_points_n(a) * a->dimension;
   bool same = a->kind == b->kind && a->n == b->n && a->degree == b->degree &&
-              a->dimension == b->dimension && a->control_points &&
-              b->control_points;
+              a->joined == b->joined && a->dimension == b->dimension &&
+              a->control_points && b->control_points;
   for (size_t i = 0; same && i < n; i++) {
     double x = a->control_points[i], y = b->control_points[i];
     same = fabs(x - y) <= SAME * fabs(x);

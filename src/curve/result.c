@@ -78,9 +78,11 @@ enum ph_status ph_curve_alloc(struct ph_curve *c, struct ph_arena *arena,
   size_t number = sizeof(double);
   size_t preimage = c->preimage.n * c->preimage.dimension;
   bool angles = ph_kinds[c->kind]->angles;
-  c->knots = ph_arena_array(arena, c->n + 1, number);
+  if (!c->knots) {
+    c->knots = ph_arena_array(arena, c->n + 1, number);
+  }
   c->control_points =
-      ph_arena_array(arena, c->n, (c->degree + 1) * c->dimension * number);
+      ph_arena_array(arena, ph_curve_points_n(c), c->dimension * number);
   c->preimage.v =
       preimage ? ph_arena_array(arena, c->n, preimage * number) : NULL;
   c->lengths = ph_arena_array(arena, c->n, number);
@@ -93,12 +95,12 @@ enum ph_status ph_curve_alloc(struct ph_curve *c, struct ph_arena *arena,
 
 double ph_curve_size(const struct ph_curve *curve) {
   size_t dimension = curve->dimension;
-  size_t stride = (curve->degree + 1) * dimension, last = curve->degree;
+  const size_t end = curve->degree * dimension;
   double sum = 0;
   for (size_t j = 0; j < dimension; j++) {
     double low = curve->control_points[j], high = low;
     for (size_t k = 0; k < curve->n; k++) {
-      double x = curve->control_points[k * stride + last * dimension + j];
+      double x = ph_curve_points(curve, k)[end + j];
       low = x < low ? x : low;
       high = x > high ? x : high;
     }
@@ -111,7 +113,7 @@ double ph_curve_rounding(const struct ph_curve *curve) {
   /* of de Casteljau's algorithm for both, in steps of half a unit in the last
    * place, and of their difference */
   static const double steps = 16;
-  const size_t n = curve->n * (curve->degree + 1) * curve->dimension;
+  const size_t n = ph_curve_points_n(curve) * curve->dimension;
   double largest = 0;
   for (size_t i = 0; i < n; i++) {
     largest = fmax(largest, fabs(curve->control_points[i]));

@@ -114,12 +114,17 @@ struct ph_images {
  *      atph: the normalised B-basis of <1, t, sin t, cos t, sin 2t, cos 2t>
  *      bezier: plain Bezier points, no preimage
  *      tc: Tschirnhausen cubics, degree 3, preimages of degree 1
- * (curve/segment/tc.h) knots[n + 1]    global parameter at the joints,
- * increasing lengths[n]      exact arc lengths; length is their sum
+ *      (curve/segment/tc.h)
+ * joined          control_points[n * degree + 1][dimension]: what a segment ends
+ *      ends with is what the next one begins with, and stands there once
+ *      (ph_curve_points)
+ * knots[n + 1]    global parameter at the joints, increasing
+ * lengths[n]      exact arc lengths; length is their sum
  */
 struct ph_curve {
   enum ph_curve_kind kind;
   bool closed;
+  bool joined;
   size_t dimension;
   size_t degree;
   size_t n;
@@ -527,7 +532,7 @@ void ph_warn(struct ph_result *result, size_t segment, enum ph_status status,
 /*
  * ph_curve_alloc: the arrays of a curve that all kinds have, and its preimage.
  *
- * inout curve  kind, n and dimensions are given
+ * inout curve  kind, n, joined and dimensions are given; and knots, or NULL
  * ret   PH_OK | PH_E_NO_MEMORY
  */
 enum ph_status ph_curve_alloc(struct ph_curve *curve, struct ph_arena *arena,
@@ -543,10 +548,22 @@ static inline double ph_curve_range(const struct ph_curve *curve, size_t k) {
   return curve->preimage.alpha ? curve->preimage.alpha[k] : 1;
 }
 
+/* ph_curve_stride: from the numbers of a segment's control points to those of
+ * the next one's. */
+static inline size_t ph_curve_stride(const struct ph_curve *curve) {
+  return (curve->degree + !curve->joined) * curve->dimension;
+}
+
 /* ph_curve_points: the control points of segment k, (degree + 1) of them. */
 static inline const double *ph_curve_points(const struct ph_curve *curve,
                                             size_t k) {
-  return curve->control_points + (curve->degree + 1) * curve->dimension * k;
+  return curve->control_points + ph_curve_stride(curve) * k;
+}
+
+/* ph_curve_points_n: how many control points a curve has in memory. */
+static inline size_t ph_curve_points_n(const struct ph_curve *curve) {
+  return curve->joined ? curve->n * curve->degree + 1
+                       : curve->n * (curve->degree + 1);
 }
 
 /* ph_curve_preimage: the coefficients of the preimage of segment k. */

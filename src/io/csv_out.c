@@ -114,10 +114,10 @@ static void some_control_points(void *context, struct ph_buf *to, size_t first,
                                 size_t end) {
   const struct rows *rows = context;
   const struct ph_curve *c = rows->curve;
-  const double *p = c->control_points + first * (c->degree + 1) * c->dimension;
   const struct ph_csv_row row =
       ph_csv_row_of(to, rows->row->shape, rows->row->heading);
   for (size_t k = first; k < end; k++) {
+    const double *p = ph_curve_points(c, k);
     for (size_t i = 0; i <= c->degree; i++) {
       ph_csv_begin_row(&row);
       ph_csv_number_cell(&row, (double)k);

@@ -140,7 +140,7 @@ static bool is_straight(const double *p) {
 
 static void cubics(struct machine *m, const struct ph_curve *curve) {
   for (size_t k = 0; k < curve->n; k++) {
-    const double *p = curve->control_points + 8 * k;
+    const double *p = ph_curve_points(curve, k);
     if (k == 0 || !same(p, m->at)) {
       line(m, "G0", p);
     }
@@ -173,8 +173,8 @@ static void chords(struct machine *m, const struct ph_samples *s,
 /* The corner that a join is around. */
 static const double *corner_of(const struct ph_curve *curve, size_t join) {
   return join < curve->n
-             ? curve->control_points + 2 * (curve->degree + 1) * join
-             : curve->control_points + 2 * (curve->degree + 1) * curve->n - 2;
+             ? ph_curve_points(curve, join)
+             : ph_curve_points(curve, curve->n - 1) + 2 * curve->degree;
 }
 
 static void arc(struct machine *m, const struct ph_curve *curve,

@@ -87,7 +87,7 @@ static const void *find(const struct ph_slot *slot, const char *object,
     memcpy(&to, at, sizeof to);
     at = to;
   }
-  return where->how == PH_EACH && at ? at + i * slot->size : at;
+  return where->how == PH_EACH && at ? at + i * slot->stride : at;
 }
 
 /* Whether it is not known what is there. */

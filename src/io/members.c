@@ -320,7 +320,7 @@ static const struct ph_member segment[] = {
     {"alpha", TOLD, ATPH, AS("", positive), EACH(ph_curve, preimage.alpha),
      "the angle of the segment"},
     {"control_points", MUST, ANY, AS("[P][D]", number),
-     EACH(ph_curve, control_points),
+     JOINED(ph_curve, control_points),
      "the Bezier points; of atph the coefficients in its B-basis"},
     {"preimage", TOLD, SQUARE, AS("[W][Q]", number), EACH(ph_curve, preimage.v),
      "coefficients of the function whose square is the derivative"},

@@ -48,6 +48,8 @@ struct ph_where {
   size_t at;
   size_t n; /* 1 + where its number is; 0: there is one.  If this number is 0,
                it is left out, unless it is a list that may be empty */
+  bool joined; /* PH_EACH: of a curve that is `joined', what one ends with is
+                  what the next one begins with */
 };
 
 /*
@@ -132,6 +134,7 @@ struct ph_type {
  * N, nodes of a spline on a sphere; I, intervals of the record. */
 struct ph_sizes {
   size_t of['Z' - 'A' + 1];
+  bool joined; /* the curve is */
 };
 
 /* A member of which it is known how it is in memory. */
@@ -142,6 +145,7 @@ struct ph_slot {
   bool indirect;       /* where it is, there is a pointer to it */
   size_t n, dimension; /* numbers: n; n vectors of dimension; else 0 */
   size_t size;         /* of all in memory */
+  size_t stride;       /* from one to the next */
   size_t most;         /* as of the type, or the last segment */
 };
 

@@ -31,18 +31,20 @@
 #define RAW PH_OF_RAW
 
 #define AS(sizes, type) sizes #type, &as_##type
-#define APART   \
-  NULL, {       \
-    PH_AT, 0, 0 \
+#define APART          \
+  NULL, {              \
+    PH_AT, 0, 0, false \
   }
 #define AT(type, member) \
-  { PH_AT, offsetof(struct type, member), 0 }
+  { PH_AT, offsetof(struct type, member), 0, false }
 #define EACH(type, member) \
-  { PH_EACH, offsetof(struct type, member), 0 }
+  { PH_EACH, offsetof(struct type, member), 0, false }
+#define JOINED(type, member) \
+  { PH_EACH, offsetof(struct type, member), 0, true }
 #define LIST(type, member, n) \
-  { PH_AT, offsetof(struct type, member), 1 + offsetof(struct type, n) }
+  { PH_AT, offsetof(struct type, member), 1 + offsetof(struct type, n), false }
 #define SELF(type, n) \
-  { PH_AT, 0, 1 + offsetof(struct type, n) }
+  { PH_AT, 0, 1 + offsetof(struct type, n), false }
 #define ROW(name, need, of, type, what) \
   { name, need, of, type, APART, what }
 #define LAST \

@@ -43,7 +43,7 @@ static bool is_line(const struct ph_tc_form *f) {
 
 static void geometry(struct ph_buf *buf, const struct ph_curve *curve, size_t k,
                      bool downward, double s) {
-  const double *p = curve->control_points + 8 * k;
+  const double *p = ph_curve_points(curve, k);
   const double up = downward ? -1 : 1;
   const struct ph_tc tc = segment(curve, k, downward);
   const struct ph_tc_form f = ph_tc_form_of(&tc);

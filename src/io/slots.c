@@ -17,6 +17,7 @@ void ph_sizes_enter(struct ph_sizes *sizes, enum ph_form form,
     SIZE('Q') = curve->preimage.dimension;
     SIZE('S') = curve->n;
     SIZE('N') = curve->n + (curve->closed ? 0 : 1);
+    sizes->joined = curve->joined;
   } else if (form == PH_AS_PIECES) {
     const struct ph_offset *o = from;
     SIZE('D') = o->dimension;
@@ -64,6 +65,10 @@ size_t ph_slots(const struct ph_members *of, const struct ph_sizes *sizes,
     }
     slot->size = type->size * (slot->n ? slot->n : 1) *
                  (slot->dimension ? slot->dimension : 1);
+    slot->stride = slot->size;
+    if (row->where.joined && sizes->joined) {
+      slot->stride -= type->size * slot->dimension;
+    }
     slot->most = type->most < SIZE_MAX ? type->most : sizes->of['S' - 'A'] - 1;
     slot->numbers =
         type->form == PH_AS_DOUBLE && strncmp(row->type, "[+]", 3) == 0;

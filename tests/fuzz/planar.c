@@ -100,7 +100,7 @@ static void planar_check_curve(const struct planar_input *in,
                                const struct ph_curve *curve) {
   size_t points_n = curve->closed ? curve->n : curve->n + 1;
   for (size_t k = 0; k < curve->n; k++) {
-    const double *p = curve->control_points + 12 * k;
+    const double *p = ph_curve_points(curve, k);
     const double *from = in->points[k];
     const double *to = in->points[k + 1 < points_n ? k + 1 : 0];
     FUZZ_REQUIRE(memcmp(p, from, 2 * sizeof *p) == 0);

@@ -200,7 +200,7 @@ static void spatial_check_ends(const struct spatial_input *in,
                                const struct ph_curve *curve, size_t k) {
   size_t dimension = in->flags.flat ? 2 : 3;
   size_t to = k + 1 < (curve->closed ? curve->n : curve->n + 1) ? k + 1 : 0;
-  const double *p = curve->control_points + 18 * k;
+  const double *p = ph_curve_points(curve, k);
   size_t size = dimension * sizeof *p;
   FUZZ_REQUIRE(memcmp(p, in->points + dimension * k, size) == 0);
   FUZZ_REQUIRE(memcmp(p + 15, in->points + dimension * to, size) == 0);
@@ -240,7 +240,8 @@ static void spatial_check_segment(const struct spatial_input *in,
 
 static void spatial_check_curve(const struct spatial_input *in,
                                 const struct ph_curve *curve) {
-  FUZZ_REQUIRE(fuzz_is_finite(curve->control_points, 18 * curve->n));
+  FUZZ_REQUIRE(
+      fuzz_is_finite(curve->control_points, 3 * ph_curve_points_n(curve)));
   FUZZ_REQUIRE(fuzz_is_finite(curve->preimage.v, 12 * curve->n));
   FUZZ_REQUIRE(isfinite(curve->length));
   for (size_t k = 0; k < curve->n; k++) {

@@ -218,13 +218,14 @@ static bool tc_set(struct tc_input *in) {
  * on, but for the rounding of its ends: by the largest coordinate given. */
 static void tc_check_segment(const struct ph_curve *curve, size_t k,
                              double largest) {
-  const double *p = curve->control_points + 8 * k;
+  const double *p = ph_curve_points(curve, k);
   double chord = hypot(p[6] - p[0], p[7] - p[1]);
   double rounding = 4 * DBL_EPSILON * largest;
   FUZZ_REQUIRE(curve->knots[k] < curve->knots[k + 1]);
   FUZZ_REQUIRE(curve->lengths[k] > 0);
   FUZZ_REQUIRE(curve->lengths[k] >= chord * (1 - 1e-9) - rounding);
-  FUZZ_REQUIRE(k + 1 == curve->n || memcmp(p + 6, p + 8, 2 * sizeof *p) == 0);
+  FUZZ_REQUIRE(k + 1 == curve->n || memcmp(p + 6, ph_curve_points(curve, k + 1),
+                                           2 * sizeof *p) == 0);
 }
 
 static void tc_check_curve(const struct tc_input *in,
@@ -233,7 +234,8 @@ static void tc_check_curve(const struct tc_input *in,
   FUZZ_REQUIRE(curve->kind == PH_CURVE_TC && curve->degree == 3);
   FUZZ_REQUIRE(curve->dimension == 2 && curve->n > 0);
   FUZZ_REQUIRE(curve->preimage.n == 2 && curve->preimage.dimension == 2);
-  FUZZ_REQUIRE(fuzz_is_finite(curve->control_points, 8 * curve->n));
+  FUZZ_REQUIRE(
+      fuzz_is_finite(curve->control_points, 2 * ph_curve_points_n(curve)));
   FUZZ_REQUIRE(fuzz_is_finite(curve->preimage.v, 4 * curve->n));
   FUZZ_REQUIRE(isfinite(curve->length));
   FUZZ_REQUIRE(!curve->closed || in->flags.closed);
@@ -251,18 +253,18 @@ static void tc_check_points(const struct tc_input *in,
                             const struct ph_result *result) {
   const struct ph_value *points = &in->problem.field[PH_F_POINTS];
   size_t n = result->intervals_n;
-  const double *p = result->curve.control_points;
+  const struct ph_curve *curve = &result->curve;
   if (points->kind == PH_ABSENT || in->flags.mode == TC_APPROXIMATE) {
     return;
   }
   FUZZ_REQUIRE(n + 1 == points->n || (in->flags.closed && n <= points->n));
   for (size_t i = 0; i < n; i++) {
-    const double *begin = p + 8 * result->intervals[i].first;
-    const double *end = p + 8 * result->intervals[i].last + 6;
+    const double *begin = ph_curve_points(curve, result->intervals[i].first);
+    const double *end = ph_curve_points(curve, result->intervals[i].last) + 6;
     const double *next =
         i + 1 < points->n ? points->v + 2 * (i + 1) : points->v;
-    FUZZ_REQUIRE(memcmp(begin, points->v + 2 * i, 2 * sizeof *p) == 0);
-    FUZZ_REQUIRE(memcmp(end, next, 2 * sizeof *p) == 0);
+    FUZZ_REQUIRE(memcmp(begin, points->v + 2 * i, 2 * sizeof *begin) == 0);
+    FUZZ_REQUIRE(memcmp(end, next, 2 * sizeof *end) == 0);
   }
 }
 

@@ -89,9 +89,7 @@ ph_cplx unit_bezier(const double *p, size_t degree, size_t order, double t) {
 
 ph_cplx unit_curve(const struct ph_curve *curve, size_t k, size_t order,
                    double t) {
-  size_t stride = 2 * (curve->degree + 1);
-  return unit_bezier(curve->control_points + stride * k, curve->degree, order,
-                     t);
+  return unit_bezier(ph_curve_points(curve, k), curve->degree, order, t);
 }
 
 ph_cplx unit_preimage(const struct ph_curve *curve, size_t k, size_t order,
@@ -105,7 +103,9 @@ double unit_curves_apart(const struct ph_curve *a, const struct ph_curve *b) {
   ck_assert_uint_eq(a->n, b->n);
   ck_assert_uint_eq(a->degree, b->degree);
   for (size_t i = 0; i < (a->degree + 1) * a->n; i++) {
-    const double *p = a->control_points + 2 * i, *q = b->control_points + 2 * i;
+    const size_t k = i / (a->degree + 1), j = i % (a->degree + 1);
+    const double *p = ph_curve_points(a, k) + 2 * j;
+    const double *q = ph_curve_points(b, k) + 2 * j;
     apart = unit_larger(apart, hypot(p[0] - q[0], p[1] - q[1]));
   }
   return apart;

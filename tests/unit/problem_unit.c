@@ -45,6 +45,37 @@ void unit_set_copy(struct unit_solution *s, enum ph_field_id id,
   unit_set_array(&s->problem, id, copy, n, dimension);
 }
 
+/* A curve whose joints stand at the end of one segment and at the beginning of
+ * the next one, so that tests can move one of these. */
+static void put_apart(struct ph_curve *curve, struct ph_arena *arena) {
+  const size_t n = (curve->degree + 1) * curve->dimension;
+  double *apart;
+  if (!curve->joined) {
+    return;
+  }
+  apart = ph_arena_array(arena, curve->n, n * sizeof *apart);
+  ck_assert_ptr_nonnull(apart);
+  for (size_t k = 0; k < curve->n; k++) {
+    memcpy(apart + n * k, ph_curve_points(curve, k), n * sizeof *apart);
+  }
+  curve->control_points = apart;
+  curve->joined = false;
+}
+
+void unit_put_apart(struct unit_solution *s) {
+  struct ph_result *r = &s->result;
+  const double *first = r->curve.control_points;
+  put_apart(&r->curve, &s->arena);
+  for (size_t i = 0; i < r->solutions_n; i++) {
+    struct ph_curve *curve = &r->solutions[i].curve;
+    if (curve->control_points == first) {
+      curve->control_points = r->curve.control_points;
+      curve->joined = r->curve.joined;
+    }
+    put_apart(curve, &s->arena);
+  }
+}
+
 enum ph_status unit_solve(const struct ph_method *method,
                           struct unit_solution *s) {
   struct ph_mark before = ph_arena_mark(&s->scratch), after;
@@ -58,6 +89,9 @@ enum ph_status unit_solve(const struct ph_method *method,
   ck_assert(!before.chunk || before.chunk == after.chunk);
   ck_assert_uint_eq(before.used, after.used);
   ck_assert(status == PH_OK || s->diag.status == status);
+  if (status == PH_OK) {
+    unit_put_apart(s);
+  }
   return status;
 }
 

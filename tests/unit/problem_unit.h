@@ -38,8 +38,12 @@ double *unit_numbers(struct unit_solution *s, size_t n);
 void unit_set_copy(struct unit_solution *s, enum ph_field_id id,
                    const double *v, size_t n, size_t dimension);
 
+/* unit_put_apart: copies the control points of curves that are `joined', so
+ * that they are no longer. */
+void unit_put_apart(struct unit_solution *s);
+
 /* unit_solve: as the program does; the method's scratch memory must have been
- * given back.  May be called again. */
+ * given back.  Curves are put apart.  May be called again. */
 enum ph_status unit_solve(const struct ph_method *method,
                           struct unit_solution *s);
 

@@ -419,8 +419,7 @@ static enum ph_status store(const struct stretches *all,
 /* Of 2, the power at the scale of the control points. */
 static int exponent_of(const struct ph_curve *curve) {
   double largest = 0;
-  for (size_t i = 0; i < (curve->degree + 1) * curve->dimension * curve->n;
-       i++) {
+  for (size_t i = 0; i < ph_curve_points_n(curve) * curve->dimension; i++) {
     largest = fmax(largest, fabs(curve->control_points[i]));
   }
   return largest > 0 ? ph_pow2_exponent(largest) : 0;

@@ -16,6 +16,7 @@ static const double WEIGHT_MOST = 0x1p200;
 struct row {
   size_t n, degree, dimension;
   const double *points;  /* [n][degree + 1][dimension] */
+  bool joined;           /* where two meet, one of these (struct ph_curve) */
   const double *weights; /* [n][degree + 1]; NULL: polynomials */
   double *knots;         /* [n + 1] */
   const bool *begins;    /* [n] whether a chain begins with the piece */
@@ -24,7 +25,7 @@ struct row {
 };
 
 static const double *points_of(const struct row *row, size_t i) {
-  return row->points + (row->degree + 1) * row->dimension * i;
+  return row->points + (row->degree + !row->joined) * row->dimension * i;
 }
 
 static const double *weights_of(const struct row *row, size_t i) {
@@ -216,6 +217,7 @@ enum ph_status ph_nurbs_of(const struct ph_curve *curve,
     row.degree = bezier.degree;
     row.dimension = bezier.dimension;
     row.points = bezier.control_points;
+    row.joined = bezier.joined;
     row.knots = bezier.knots;
   }
   return status == PH_OK ? join(&row, arena, chains, diag) : status;

@@ -77,7 +77,8 @@ static bool measure(const struct ph_curve *curve, struct ph_box2 *box) {
   const size_t points = 2 * (curve->degree + 1), roots = 2 * curve->preimage.n;
   double test = 0;
   *box = (struct ph_box2){{p[0], p[1]}, {p[0], p[1]}};
-  for (size_t k = 0; k < curve->n; k++, p += points, w += roots) {
+  for (size_t k = 0; k < curve->n; k++, w += roots) {
+    p = ph_curve_points(curve, k);
     for (size_t i = 0; i < points; i++) {
       double *low = &box->low[i % 2], *high = &box->high[i % 2];
       *low = p[i] < *low ? p[i] : *low;

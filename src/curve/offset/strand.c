@@ -25,7 +25,7 @@ struct box {
 
 static struct box box_of(const struct ph_curve *curve) {
   struct box box = {{HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL}};
-  for (size_t i = 0; i < curve->n * (curve->degree + 1); i++) {
+  for (size_t i = 0; i < ph_curve_points_n(curve); i++) {
     for (size_t j = 0; j < 2; j++) {
       double x = curve->control_points[2 * i + j];
       box.low[j] = x < box.low[j] ? x : box.low[j];
@@ -70,6 +70,8 @@ static enum ph_status copy_curve(struct ph_strands *strands,
   enum ph_status status;
   *to = *from;
   to->n = (twice ? 2 : 1) * from->n;
+  to->joined = false;
+  to->knots = NULL;
   strands->n = from->n;
   strands->center = ph_cplx_of(box.low[0] + (box.high[0] - box.low[0]) / 2,
                                box.low[1] + (box.high[1] - box.low[1]) / 2);

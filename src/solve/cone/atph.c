@@ -253,7 +253,7 @@ static void set_strip(const struct general *g, size_t i,
                          .half_angle = nan,
                          .sweep = nan};
   s->alpha = curve->preimage.alpha + i;
-  s->control_points = curve->control_points + 18 * i;
+  s->control_points = curve->control_points + ph_curve_stride(curve) * i;
   s->preimage = curve->preimage.v + 12 * i;
   s->angles = curve->choice.angles + 2 * i;
   memcpy(s->frame.point, s->control_points, 3 * sizeof(double));

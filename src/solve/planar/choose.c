@@ -234,8 +234,9 @@ int ph_planar_compare_sides(const struct ph_curve *x,
                             const struct ph_curve *y) {
   double apart = SAME_CURVE * x->length;
   for (size_t i = 0; i < 6 * x->n; i++) {
-    const double *p = x->control_points + 2 * i, *q = y->control_points + 2 * i;
-    const double *chord = x->control_points + 12 * (i / 6);
+    const double *chord = ph_curve_points(x, i / 6);
+    const double *p = chord + 2 * (i % 6);
+    const double *q = ph_curve_points(y, i / 6) + 2 * (i % 6);
     ph_cplx off = ph_cplx_of(p[0] - q[0], p[1] - q[1]);
     ph_cplx c = ph_cplx_of(chord[10] - chord[0], chord[11] - chord[1]);
     double size = hypot(c.re, c.im), left, on;

@@ -24,17 +24,18 @@ static const double COINCIDENT = 1e-14;
 static const double STANDSTILL = 1e-10;
 
 static enum ph_status allocate(struct ph_planar_data *d, struct ph_arena *arena,
+                               struct ph_arena *roots,
                                struct ph_arena *equations,
                                struct ph_diag *diag) {
   struct ph_planar_c2 *c2 = &d->c2;
   c2->n = d->n;
   c2->closed = d->closed;
-  d->h = ph_arena_array(arena, d->n, sizeof *d->h);
+  d->h = ph_arena_array(roots, d->n, sizeof *d->h);
   d->chord = ph_arena_array(equations, d->n, sizeof *d->chord);
-  d->knots = ph_arena_array(arena, d->n + 1, sizeof *d->knots);
+  d->knots = ph_arena_array(roots, d->n + 1, sizeof *d->knots);
   c2->direction = ph_arena_array(equations, d->n, sizeof *c2->direction);
   c2->ratio = ph_arena_array(equations, d->n, sizeof *c2->ratio);
-  c2->y = ph_arena_array(arena, d->n + 1, sizeof *c2->y);
+  c2->y = ph_arena_array(roots, d->n + 1, sizeof *c2->y);
   d->space = ph_arena_array(arena, d->atph ? d->n : 1, sizeof *d->space);
   if (!d->h || !d->chord || !d->knots || !c2->direction || !c2->ratio ||
       !c2->y || !d->space) {
@@ -263,7 +264,7 @@ static enum ph_status set_knots(const struct ph_problem *problem,
 }
 
 enum ph_status ph_planar_data_of(const struct ph_problem *problem,
-                                 struct ph_arena *arena,
+                                 struct ph_arena *arena, struct ph_arena *roots,
                                  struct ph_arena *equations,
                                  struct ph_planar_data *d,
                                  struct ph_diag *diag) {
@@ -275,7 +276,8 @@ enum ph_status ph_planar_data_of(const struct ph_problem *problem,
   d->closed = problem->field[PH_F_CLOSED].flag;
   status = ph_fields_segments(problem, &d->n, diag);
   status = status == PH_OK ? check_together(problem, d, diag) : status;
-  status = status == PH_OK ? allocate(d, arena, equations, diag) : status;
+  status =
+      status == PH_OK ? allocate(d, arena, roots, equations, diag) : status;
   status = status == PH_OK ? set_chords(d, diag) : status;
   status = status == PH_OK ? set_knots(problem, d, diag) : status;
   status = status == PH_OK ? set_spacing(d, diag) : status;

@@ -11,11 +11,7 @@
  */
 #include "solve/method.h"
 
-#include "base/sum.h"
-#include "base/team.h"
 #include "curve/fair/energy.h"
-#include "curve/segment/seg2.h"
-#include "kernel/pi.h"
 #include "solve/common/fields.h"
 #include "solve/planar/planar.h"
 
@@ -33,10 +29,6 @@ static const double SAME_LENGTH = 1e-9;
 /* E L below this is that of a straight line. */
 static const double STRAIGHT = 1e-12;
 
-/* Segments that are filled together; so many, 1 ms, are worth another thread.
- */
-enum { PART = 1024, WORTH = 8192 };
-
 /* On more segments the theorem would take as long as the solution. */
 enum { KANTOROVICH_MAX = 100 };
 
@@ -48,6 +40,7 @@ struct task {
   struct ph_diag *diag;
   struct ph_planar_data data;
   struct ph_arena equations;  /* of what only they need */
+  struct ph_arena roots;      /* of what only they and preimages need */
   size_t reversals, reversal; /* how often the data turn back, where first */
   ph_cplx *b;                 /* [unknowns] a solution */
   size_t iterations;
@@ -137,12 +130,26 @@ static void warn_other(const struct task *t,
           d->n <= PH_PLANAR_ALL_MAX ? "; \"solutions\":\"all\" shows all" : "");
 }
 
+/* Whether nothing but the curve is asked for: the theorem is not. */
+static bool is_long(const struct task *t) {
+  return t->data.n > KANTOROVICH_MAX;
+}
+
 /* Frees what the equations need, where nothing else does any more. */
 static void forget_equations(struct task *t) {
-  if (t->data.n > KANTOROVICH_MAX) {
+  if (is_long(t)) {
     ph_arena_free(&t->equations);
     t->data.chord = t->data.c2.ratio = NULL;
     t->data.c2.direction = NULL;
+  }
+}
+
+/* Frees what preimages were found from, likewise. */
+static void forget_roots(struct task *t) {
+  if (is_long(t)) {
+    ph_arena_free(&t->roots);
+    t->data.h = t->data.knots = t->data.c2.y = NULL;
+    t->b = NULL;
   }
 }
 
@@ -168,8 +175,10 @@ static enum ph_status solve_good(struct task *t) {
   if (status != PH_OK) {
     return status;
   }
-  ph_planar_curve_fill(&t->data, t->b, t->scratch, &t->result->curve,
-                       &t->loops);
+  ph_planar_curve_roots(&t->data, t->b, t->scratch, &t->result->curve,
+                        &t->loops);
+  forget_roots(t);
+  ph_planar_curve_points(&t->data, t->scratch, &t->result->curve);
   t->iterations = report.iterations;
   t->residual = report.residual;
   warn_other(t, &choice);
@@ -347,14 +356,14 @@ static enum ph_status report(struct task *t) {
 
 static enum ph_status solve_task(struct task *t) {
   const struct ph_value *field = t->problem->field;
-  enum ph_status status = ph_planar_data_of(t->problem, t->scratch,
+  enum ph_status status = ph_planar_data_of(t->problem, t->scratch, &t->roots,
                                             &t->equations, &t->data, t->diag);
   if (status != PH_OK) {
     return status;
   }
   t->reversals = reversals(&t->data, &t->reversal);
   t->b =
-      ph_arena_array(t->scratch, ph_planar_unknowns(&t->data.c2), sizeof *t->b);
+      ph_arena_array(&t->roots, ph_planar_unknowns(&t->data.c2), sizeof *t->b);
   if (!t->b) {
     return ph_fail_memory(t->diag);
   }
@@ -377,10 +386,12 @@ static enum ph_status solve(const struct ph_problem *problem,
                    .out = out,
                    .scratch = scratch,
                    .equations = ph_arena_beside(scratch),
+                   .roots = ph_arena_beside(scratch),
                    .result = result,
                    .diag = diag};
   enum ph_status status = solve_task(&t);
   ph_arena_free(&t.equations);
+  ph_arena_free(&t.roots);
   ph_arena_release(scratch, mark);
   return status;
 }
@@ -431,120 +442,3 @@ const struct ph_method ph_method_planar = {
     .advice = advice,
     .advice_n = sizeof advice / sizeof advice[0],
 };
-
-/* ---- the curve ----------------------------------------------------------- */
-
-enum ph_status ph_planar_curve_alloc(const struct ph_planar_data *d,
-                                     struct ph_arena *arena,
-                                     struct ph_curve *curve,
-                                     struct ph_diag *diag) {
-  *curve = (struct ph_curve){.kind = d->atph ? PH_CURVE_ATPH : PH_CURVE_PH,
-                             .closed = d->closed,
-                             .dimension = 2,
-                             .degree = 5,
-                             .n = d->n,
-                             .preimage.n = 3,
-                             .preimage.dimension = 2};
-  return ph_curve_alloc(curve, arena, diag);
-}
-
-/* Whether a segment stands still (NaN), or turns by more than half a turn. */
-static inline bool has_loop(const struct ph_atph *space, const ph_cplx w[3],
-                            double *angle) {
-  struct ph_seg2 seg;
-  if (ph_seg2_moves_on(w)) {
-    return false;
-  }
-  seg = (struct ph_seg2){*space, {w[0], w[1], w[2]}, {0, 0}, {0, 0}};
-  *angle = ph_seg2_stands_still(&seg, NULL) ? (double)NAN
-           : ph_seg2_is_monotone(w)         ? 0
-                                            : ph_seg2_rotation(&seg, NULL);
-  return !(fabs(*angle) <= PH_PI);
-}
-
-/* Segment k of the preimage w with respect to u in [0,1], in the root of the
- * user's unit; that of an atph curve is written with respect to t. */
-static inline void fill_segment(const struct ph_planar_data *d, size_t k,
-                                const struct ph_atph *space, ph_cplx w[3],
-                                struct ph_curve *curve) {
-  curve->lengths[k] = ph_seg2_length(space, w);
-  ph_seg2_control_points(space, w, ph_planar_point(d, k),
-                         ph_planar_point(d, k + 1),
-                         (ph_cplx *)(curve->control_points + 12 * k));
-  if (d->atph) {
-    for (int i = 0; i < 3; i++) {
-      w[i] = ph_cplx_scale(1 / sqrt(space->angle), w[i]);
-    }
-    curve->preimage.alpha[k] = space->angle;
-  }
-  memcpy(curve->preimage.v + 6 * k, w, 3 * sizeof *w);
-}
-
-/* A curve that is being filled. */
-struct filling {
-  const struct ph_planar_data *data;
-  const ph_cplx *b;
-  struct ph_curve *curve;
-  atomic_size_t loops, first_loop;
-};
-
-static void note_loop(struct filling *f, size_t k) {
-  size_t first = atomic_load(&f->first_loop);
-  atomic_fetch_add(&f->loops, 1);
-  while (k < first &&
-         !atomic_compare_exchange_weak(&f->first_loop, &first, k)) {
-  }
-}
-
-static bool fill_some(void *context, size_t thread, size_t begin, size_t end) {
-  struct filling *f = context;
-  const struct ph_planar_data *d = f->data;
-  const struct ph_planar_c2 *c2 = &d->c2;
-  const ph_cplx *mine = d->closed ? f->b : f->b + 1;
-  const double root = ldexp(1, -d->exponent / 2);
-  ph_cplx w[3];
-  double angle;
-  (void)thread;
-  for (size_t k = begin; k < end; k++) {
-    const struct ph_atph *space = ph_planar_space(c2, k);
-    const double size = root * sqrt(d->h[k]);
-    ph_cplx scaled[3];
-    if (k > begin && k + 1 < d->n) { /* half of it: of the segment before */
-      w[0] = w[2];
-      w[1] = mine[k];
-      w[2] = ph_planar_at_knot(c2->y[k + 1], mine[k], mine[k + 1]);
-    } else {
-      ph_planar_preimage(c2, f->b, k, w);
-    }
-    if (has_loop(space, w, &angle)) {
-      note_loop(f, k);
-    }
-    for (int i = 0; i < 3; i++) {
-      scaled[i] = ph_cplx_scale(size, w[i]);
-    }
-    fill_segment(d, k, space, scaled, f->curve);
-  }
-  return true;
-}
-
-void ph_planar_curve_fill(const struct ph_planar_data *d, const ph_cplx *b,
-                          const struct ph_arena *arena, struct ph_curve *curve,
-                          struct ph_planar_loops *loops) {
-  struct filling f = {.data = d, .b = b, .curve = curve};
-  struct ph_sum length = {0, 0};
-  atomic_init(&f.loops, 0);
-  atomic_init(&f.first_loop, SIZE_MAX);
-  memcpy(curve->knots, d->knots, (d->n + 1) * sizeof *d->knots);
-  ph_team_share(arena, d->n, WORTH, PART, fill_some, &f);
-  for (size_t k = 0; k < d->n; k++) {
-    ph_sum_add(&length, curve->lengths[k]);
-  }
-  curve->length = ph_sum_value(&length);
-  *loops = (struct ph_planar_loops){atomic_load(&f.loops), 0, 0};
-  if (loops->n > 0) {
-    ph_cplx w[3];
-    loops->first = atomic_load(&f.first_loop);
-    ph_planar_preimage(&d->c2, b, loops->first, w);
-    (void)has_loop(ph_planar_space(&d->c2, loops->first), w, &loops->angle);
-  }
-}

@@ -47,13 +47,15 @@ struct ph_planar_data {
  * ph_planar_data_of: reads and checks a problem.
  *
  * in   arena      memory of the data, but for what
+ * in   roots      has: knots, spacings, and the weights y of data->c2, which
+ *                 preimages are found from, and no control points; and for what
  * in   equations  has: chords, and the directions and ratios of data->c2, which
  *                 a curve is not filled from
  * ret  PH_OK | PH_E_TOO_FEW_POINTS | PH_E_COINCIDENT_POINTS | PH_E_BAD_SHAPE |
  *      PH_E_BAD_VALUE | PH_E_ZERO_TANGENT | PH_E_TOO_LARGE | PH_E_NO_MEMORY
  */
 enum ph_status ph_planar_data_of(const struct ph_problem *problem,
-                                 struct ph_arena *arena,
+                                 struct ph_arena *arena, struct ph_arena *roots,
                                  struct ph_arena *equations,
                                  struct ph_planar_data *data,
                                  struct ph_diag *diag);
@@ -110,11 +112,23 @@ enum ph_status ph_planar_curve_alloc(const struct ph_planar_data *data,
                                      struct ph_diag *diag);
 
 /*
- * ph_planar_curve_fill: the numbers of a curve, for the twist in data->c2.
+ * ph_planar_curve_roots: the preimages of a curve, for the twist in data->c2,
+ * of atph curves by u in [0,1]; and lengths and knots.
  *
  * in   b[unknowns]  a solution of the C2 equations
  * in   arena        its threads share what is long
  */
+void ph_planar_curve_roots(const struct ph_planar_data *data, const ph_cplx *b,
+                           const struct ph_arena *arena, struct ph_curve *curve,
+                           struct ph_planar_loops *loops);
+
+/* ph_planar_curve_points: the control points of a curve from its preimages,
+ * which are by t from then on. */
+void ph_planar_curve_points(const struct ph_planar_data *data,
+                            const struct ph_arena *arena,
+                            struct ph_curve *curve);
+
+/* ph_planar_curve_fill: both. */
 void ph_planar_curve_fill(const struct ph_planar_data *data, const ph_cplx *b,
                           const struct ph_arena *arena, struct ph_curve *curve,
                           struct ph_planar_loops *loops);

@@ -26,7 +26,7 @@ static const double ONE_PLANE = 2.0 / 3;
 struct reading {
   const struct ph_problem *problem;
   struct ph_spatial_points *points;
-  struct ph_arena *arena;
+  struct ph_arena *arena, *keep;
   struct ph_diag *diag;
 };
 
@@ -37,8 +37,8 @@ static double largest_of(ph_vec3 v) {
 }
 
 static ph_vec3 point(const struct ph_spatial_points *p, size_t k) {
-  const double *v = p->points + 3 * (k < p->points_n ? k : 0);
-  return ph_vec3_of(v[0], v[1], v[2]);
+  return ph_vec3_get(p->points + p->dimension * (k < p->points_n ? k : 0),
+                     p->dimension);
 }
 
 /* A power of two whose square brings x to [1/8, 1/2). */
@@ -127,7 +127,8 @@ static enum ph_status set_tangents(struct reading *r) {
   if (!p->estimated) {
     return set_vectors(r, tangents ? PH_F_TANGENTS : PH_F_DERIVATIVES);
   }
-  ph_spatial_tangents(p->points, p->points_n, p->closed, p->tangents);
+  ph_spatial_tangents(p->points, p->points_n, p->dimension, p->closed,
+                      p->tangents);
   return PH_OK;
 }
 
@@ -138,6 +139,10 @@ static enum ph_status set_knots(struct reading *r) {
   struct ph_spatial_points *p = r->points;
   enum ph_status status;
   if (knots->kind == PH_NUMBERS) {
+    p->lambda = ph_arena_array(r->arena, p->n, sizeof *p->lambda);
+    if (!p->lambda) {
+      return ph_fail_memory(r->diag);
+    }
     status = ph_fields_knots(knots, p->n, p->closed, p->lambda, r->diag);
     if (status == PH_OK) {
       memcpy(p->knots, knots->v, (p->n + 1) * sizeof *p->knots);
@@ -147,9 +152,9 @@ static enum ph_status set_knots(struct reading *r) {
   for (size_t k = 0; k < p->n; k++) {
     double root;
     ph_vec3 c = chord(p, k, &root);
-    p->lambda[k] = ph_vec3_abs(c) / root / root;
+    p->knots[k + 1] = ph_vec3_abs(c) / root / root;
   }
-  ph_fields_sums(p->lambda, p->n, p->knots);
+  ph_fields_sums(p->knots + 1, p->n, p->knots);
   for (size_t k = 0; k < p->n; k++) {
     if (p->knots[k + 1] <= p->knots[k]) {
       return ph_fail_at(
@@ -179,9 +184,17 @@ static enum ph_status set_planarity(struct reading *r) {
 static enum ph_status set_tension(struct reading *r) {
   const struct ph_value *tension = &r->problem->field[PH_F_TENSION];
   struct ph_value one = {.kind = PH_NUMBER, .number = 1};
+  const bool all = tension->kind == PH_ABSENT || tension->kind == PH_NUMBER;
+  struct ph_spatial_points *p = r->points;
+  if (!all) {
+    p->tension = ph_arena_array(r->arena, p->n, sizeof *p->tension);
+    if (!p->tension) {
+      return ph_fail_memory(r->diag);
+    }
+  }
   return ph_fields_each(tension->kind == PH_ABSENT ? &one : tension, "tension",
-                        r->points->n, HUGE_VAL, "greater than 0",
-                        r->points->tension, r->diag);
+                        all ? 1 : p->n, HUGE_VAL, "greater than 0",
+                        all ? &p->same : p->tension, r->diag);
 }
 
 static enum ph_status set_alpha(struct reading *r) {
@@ -202,11 +215,15 @@ static enum ph_status set_alpha(struct reading *r) {
 double ph_spatial_segment(const struct ph_spatial_points *p, size_t k,
                           double tension, struct ph_spatial_data *data) {
   size_t to = k + 1 < p->points_n ? k + 1 : 0;
-  double ni = p->speeds ? p->speeds[k] : p->lambda[k];
-  double nf = p->speeds ? p->speeds[to] : p->lambda[k];
-  double root;
+  double ni, nf, root;
   double size = fmax(largest_of(point(p, k)), largest_of(point(p, to)));
   data->dp = chord(p, k, &root);
+  if (p->speeds || p->lambda) {
+    ni = p->speeds ? p->speeds[k] : p->lambda[k];
+    nf = p->speeds ? p->speeds[to] : p->lambda[k];
+  } else {
+    ni = nf = ph_vec3_abs(data->dp) / root / root;
+  }
   data->noise = DBL_EPSILON * size * root * root;
   data->planarity = p->planarity;
   data->normal = p->normal;
@@ -337,7 +354,8 @@ static enum ph_status check_speeds(struct reading *r) {
   for (size_t k = 0; k < p->n; k++) {
     size_t to = k + 1 < p->points_n ? k + 1 : 0;
     struct ph_spatial_data data;
-    double chord, square = p->tension[k] * p->tension[k];
+    const double tension = ph_spatial_tension_of(p, k);
+    double chord, square = tension * tension;
     double alpha = p->speeds && p->alpha ? p->alpha[k] : 1;
     ph_spatial_segment(p, k, 1, &data);
     chord = ph_vec3_abs(data.dp);
@@ -359,47 +377,29 @@ static enum ph_status check_speeds(struct reading *r) {
   return PH_OK;
 }
 
-/* Points in space; those of a plane get a third coordinate. */
-static const double *points_in_space(const struct ph_value *given, size_t n,
-                                     struct ph_arena *arena) {
-  double *points;
-  if (given->dimension == 3) {
-    return given->v;
-  }
-  points = ph_arena_array(arena, n, 3 * sizeof *points);
-  for (size_t k = 0; points && k < n; k++) {
-    ph_vec3 v = ph_fields_vector(given, k);
-    memcpy(points + 3 * k, &v, sizeof v);
-  }
-  return points;
-}
-
 static enum ph_status read_points(struct reading *r) {
+  const struct ph_value *points = &r->problem->field[PH_F_POINTS];
   struct ph_spatial_points *p = r->points;
   enum ph_status status = ph_fields_segments(r->problem, &p->n, r->diag);
   if (status != PH_OK) {
     return status;
   }
   p->points_n = p->closed ? p->n : p->n + 1;
-  p->points =
-      points_in_space(&r->problem->field[PH_F_POINTS], p->points_n, r->arena);
-  p->knots = ph_arena_array(r->arena, p->n + 1, sizeof *p->knots);
-  p->lambda = ph_arena_array(r->arena, p->n, sizeof *p->lambda);
-  p->tension = ph_arena_array(r->arena, p->n, sizeof *p->tension);
-  if (!p->points || !p->knots || !p->lambda || !p->tension) {
-    return ph_fail_memory(r->diag);
-  }
-  return PH_OK;
+  p->points = points->v;
+  p->dimension = points->dimension;
+  p->knots = ph_arena_array(r->keep, p->n + 1, sizeof *p->knots);
+  return p->knots ? PH_OK : ph_fail_memory(r->diag);
 }
 
 enum ph_status ph_spatial_points_of(const struct ph_problem *problem,
+                                    struct ph_arena *keep,
                                     struct ph_arena *arena,
                                     struct ph_spatial_points *points,
                                     struct ph_diag *diag) {
   static enum ph_status (*const steps[])(struct reading *) = {
       read_points,   check_chords, set_knots,    set_tangents, set_alpha,
       set_planarity, set_tension,  check_speeds, set_normal};
-  struct reading r = {problem, points, arena, diag};
+  struct reading r = {problem, points, arena, keep, diag};
   enum ph_status status = PH_OK;
   *points = (struct ph_spatial_points){
       .closed = problem->field[PH_F_CLOSED].flag,

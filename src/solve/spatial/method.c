@@ -122,11 +122,11 @@ static enum ph_status set_angles(const struct ph_problem *problem,
 }
 
 static enum ph_status read_task(const struct ph_problem *problem,
-                                struct ph_arena *scratch, struct task *t,
-                                struct ph_diag *diag) {
+                                struct ph_arena *out, struct ph_arena *scratch,
+                                struct task *t, struct ph_diag *diag) {
   const struct ph_value *shape = &problem->field[PH_F_SHAPE];
   enum ph_status status =
-      ph_spatial_points_of(problem, scratch, &t->points, diag);
+      ph_spatial_points_of(problem, out, scratch, &t->points, diag);
   if (status == PH_OK) {
     status = set_angles(problem, t, diag);
   }
@@ -357,7 +357,7 @@ static void set_angles_of(const struct task *t, size_t k,
 
 static void find_segment(const struct task *t, size_t k, struct found *found,
                          struct ph_diag *diag) {
-  const double tension = t->points.tension[k];
+  const double tension = ph_spatial_tension_of(&t->points, k);
   struct ph_spatial_chosen *chosen = &found->chosen;
   chosen->root = ph_spatial_segment(&t->points, k, tension, &found->data);
   found->status = fit_segment(t, k, found, diag);
@@ -527,7 +527,7 @@ static enum ph_status solve(const struct ph_problem *problem,
   struct ph_mark mark = ph_arena_mark(scratch);
   struct task t = {
       .result = result, .space = ph_atph_of(0), .scratch = scratch};
-  enum ph_status status = read_task(problem, scratch, &t, diag);
+  enum ph_status status = read_task(problem, out, scratch, &t, diag);
   if (status == PH_OK) {
     status = ph_spatial_curve_alloc(&t.points, out, &result->curve, diag);
   }

@@ -16,11 +16,13 @@ enum ph_status ph_spatial_curve_alloc(const struct ph_spatial_points *p,
   enum ph_status status;
   *curve = (struct ph_curve){.kind = p->atph ? PH_CURVE_ATPH : PH_CURVE_PH,
                              .closed = p->closed,
+                             .joined = true,
                              .dimension = 3,
                              .degree = 5,
                              .n = n,
                              .preimage.n = 3,
-                             .preimage.dimension = 4};
+                             .preimage.dimension = 4,
+                             .knots = p->knots};
   status = ph_curve_alloc(curve, arena, diag);
   if (status != PH_OK) {
     return status;
@@ -32,7 +34,6 @@ enum ph_status ph_spatial_curve_alloc(const struct ph_spatial_points *p,
       !curve->choice.shape_ok) {
     return ph_fail_memory(diag);
   }
-  memcpy(curve->knots, p->knots, (n + 1) * sizeof *p->knots);
   return PH_OK;
 }
 
@@ -48,18 +49,18 @@ static void put_control_points(const struct ph_spatial_points *p, size_t k,
                                const struct ph_spatial_chosen *chosen,
                                const ph_vec3 leg[6], double *out) {
   size_t to = k + 1 < p->points_n ? k + 1 : 0;
-  const double *start = p->points + 3 * k, *end = p->points + 3 * to;
+  const size_t d = p->dimension;
+  const ph_vec3 start = ph_vec3_get(p->points + d * k, d);
+  const ph_vec3 end = ph_vec3_get(p->points + d * to, d);
   double unit = 1 / chosen->root;
-  for (size_t j = 0; j < 3; j++) {
-    out[j] = start[j];
-    out[15 + j] = end[j];
-  }
+  ph_vec3_put(start, 3, out);
+  ph_vec3_put(end, 3, out + 15);
   for (size_t i = 1; i < 5; i++) {
-    const double *base = i < 3 ? start : end;
+    const ph_vec3 base = i < 3 ? start : end;
     ph_vec3 v = rotated(chosen->fit->family.axis, leg[i]);
-    out[3 * i] = base[0] + v.x * unit * unit;
-    out[3 * i + 1] = base[1] + v.y * unit * unit;
-    out[3 * i + 2] = base[2] + v.z * unit * unit;
+    out[3 * i] = base.x + v.x * unit * unit;
+    out[3 * i + 1] = base.y + v.y * unit * unit;
+    out[3 * i + 2] = base.z + v.z * unit * unit;
   }
 }
 
@@ -107,7 +108,8 @@ double ph_spatial_put(const struct ph_spatial_points *p, size_t k,
   memcpy(a, chosen->fit->a, sizeof a);
   ph_seg3_control_points(&f->space, a, zero, zero, leg);
   missed = miss(f, a, leg);
-  put_control_points(p, k, chosen, leg, curve->control_points + 18 * k);
+  put_control_points(p, k, chosen, leg,
+                     curve->control_points + ph_curve_stride(curve) * k);
   length = ph_seg3_length(&f->space, a); /* not below the chord by rounding */
   curve->lengths[k] = (length > f->h ? length : f->h) * unit * unit;
   put_preimage(p, k, chosen, a, end, curve->preimage.v + 12 * k);

@@ -367,12 +367,12 @@ struct ph_spatial_member ph_spatial_bv(const struct ph_spatial_family *family);
  * choice depends on the axes.  Points of a plane have tangents in that plane,
  * exactly so where z = 0.  O(n).
  *
- * in   points[3 n]  finite; neighbours (if closed, also the last and the
- *                   first) differ by more than rounding of the largest one
- * out  tangents[n]
+ * in   points[n][dimension]  finite; neighbours (if closed, also the last and
+ * the first) differ by more than rounding of the largest one; of 2 coordinates:
+ * z = 0 out  tangents[n]
  */
-void ph_spatial_tangents(const double *points, size_t n, bool closed,
-                         ph_vec3 *tangents);
+void ph_spatial_tangents(const double *points, size_t n, size_t dimension,
+                         bool closed, ph_vec3 *tangents);
 
 /* ---- data ---------------------------------------------------------------- */
 
@@ -391,22 +391,28 @@ struct ph_spatial_points {
   bool estimated;   /* tangents, from the points */
   double planarity;
   ph_vec3 normal;       /* unit, of the plane of all data; 0: they have none */
-  const double *points; /* [points_n][3] those of the problem, or copies */
+  const double *points; /* [points_n][dimension], those of the problem */
+  size_t dimension;     /* 2: in the plane z = 0; or 3 */
   ph_vec3 *tangents;    /* [points_n], unit */
   double *speeds;       /* [points_n] |derivative|, or NULL */
   double *knots;        /* [n + 1] */
-  double *lambda;       /* [n] |Di| and |Df| at tension 1, from the knots */
-  double *tension;      /* [n] initial s */
-  double *alpha;        /* [n]; NULL: 0, or to be chosen */
+  double *lambda;  /* [n] |Di| and |Df| at tension 1, from knots that are given,
+                      else NULL: the chords */
+  double *tension; /* [n] initial s, or NULL: everywhere */
+  double same;     /* this */
+  double *alpha;   /* [n]; NULL: 0, or to be chosen */
 };
 
 /*
  * ph_spatial_points_of: reads and checks a problem.
  *
+ * in   keep   memory of the knots
+ * in   arena  of all else
  * ret  PH_OK | PH_E_TOO_FEW_POINTS | PH_E_COINCIDENT_POINTS | PH_E_BAD_SHAPE |
  *      PH_E_BAD_VALUE | PH_E_ZERO_TANGENT | PH_E_TOO_LARGE | PH_E_NO_MEMORY
  */
 enum ph_status ph_spatial_points_of(const struct ph_problem *problem,
+                                    struct ph_arena *keep,
                                     struct ph_arena *arena,
                                     struct ph_spatial_points *points,
                                     struct ph_diag *diag);
@@ -431,6 +437,12 @@ struct ph_spatial_chosen {
   double tension;
   double angles[2]; /* as the record has them, NaN: there are none */
 };
+
+/* ph_spatial_tension_of: initial s of segment k. */
+static inline double
+ph_spatial_tension_of(const struct ph_spatial_points *points, size_t k) {
+  return points->tension ? points->tension[k] : points->same;
+}
 
 /* ph_spatial_curve_alloc: a curve of p->n segments with their knots.
  * ret  PH_OK | PH_E_NO_MEMORY */

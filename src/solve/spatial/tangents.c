@@ -15,6 +15,7 @@ static const double ON_LINE = 1e-6;
 
 struct polygon {
   const double *points;
+  size_t dimension;
   size_t n;     /* points */
   size_t edges; /* n, or n - 1 if open */
   bool closed;
@@ -27,10 +28,16 @@ struct edge {
   double length;
 };
 
-static struct polygon polygon_of(const double *points, size_t n, bool closed) {
-  struct polygon p = {points, n, closed ? n : n - 1, closed, 0, {1, 1}};
+static struct polygon polygon_of(const double *points, size_t n,
+                                 size_t dimension, bool closed) {
+  struct polygon p = {.points = points,
+                      .dimension = dimension,
+                      .n = n,
+                      .edges = closed ? n : n - 1,
+                      .closed = closed,
+                      .scale = {1, 1}};
   double largest = 0;
-  for (size_t i = 0; i < 3 * n; i++) {
+  for (size_t i = 0; i < dimension * n; i++) {
     largest = fabs(points[i]) > largest ? fabs(points[i]) : largest;
   }
   if (largest > 0) {
@@ -40,18 +47,20 @@ static struct polygon polygon_of(const double *points, size_t n, bool closed) {
   return p;
 }
 
+static ph_vec3 given(const struct polygon *p, size_t j) {
+  return ph_vec3_get(p->points + p->dimension * j, p->dimension);
+}
+
 static ph_vec3 point(const struct polygon *p, size_t j) {
-  const double *x = p->points + 3 * j;
-  return ph_vec3_of(ph_pow2_apply(p->scale, x[0]),
-                    ph_pow2_apply(p->scale, x[1]),
-                    ph_pow2_apply(p->scale, x[2]));
+  const ph_vec3 x = given(p, j);
+  return ph_vec3_of(ph_pow2_apply(p->scale, x.x), ph_pow2_apply(p->scale, x.y),
+                    ph_pow2_apply(p->scale, x.z));
 }
 
 /* An edge between points that are so near to each other that at unit scale they
  * may be the same: from their own digits. */
-static struct edge short_edge(const double *from, const double *to,
-                              int exponent) {
-  ph_vec3 d = ph_vec3_of(to[0] - from[0], to[1] - from[1], to[2] - from[2]);
+static struct edge short_edge(ph_vec3 from, ph_vec3 to, int exponent) {
+  ph_vec3 d = ph_vec3_sub(to, from);
   double largest = fmax(fmax(fabs(d.x), fabs(d.y)), fabs(d.z)), length;
   int up = -ph_pow2_exponent(largest);
   d = ph_vec3_of(ldexp(d.x, up), ldexp(d.y, up), ldexp(d.z, up));
@@ -68,8 +77,7 @@ static struct edge edge_of(const struct polygon *p, size_t k) {
   ph_vec3 d = ph_vec3_sub(point(p, to), point(p, from));
   double length = ph_vec3_abs(d);
   return length > SHORT ? (struct edge){ph_vec3_scale(1 / length, d), length}
-                        : short_edge(p->points + 3 * from, p->points + 3 * to,
-                                     p->exponent);
+                        : short_edge(given(p, from), given(p, to), p->exponent);
 }
 
 /* The edge on the other side of `edge` whose mirror image is `next`: before the
@@ -184,9 +192,9 @@ static void set_sideways(const struct polygon *p, ph_vec3 *tangents) {
   }
 }
 
-void ph_spatial_tangents(const double *points, size_t n, bool closed,
-                         ph_vec3 *tangents) {
-  struct polygon p = polygon_of(points, n, closed);
+void ph_spatial_tangents(const double *points, size_t n, size_t dimension,
+                         bool closed, ph_vec3 *tangents) {
+  struct polygon p = polygon_of(points, n, dimension, closed);
   bool back = false;
   for (size_t j = 0; j < n; j++) {
     struct edge in, out;

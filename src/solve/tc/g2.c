@@ -5,6 +5,7 @@
 #include "solve/tc/g2.h"
 
 #include <math.h>
+#include <string.h>
 
 /* The roots of the outer legs of a cubic that is nearly a cusp have a larger
  * ratio. */
@@ -82,7 +83,7 @@ static void add_joint(struct builder *b, size_t i, enum ph_joint_kind kind) {
   struct ph_curve *curve = b->curve;
   struct ph_joint *joint = curve->g2.joints;
   size_t last = i > 0 ? i - 1 : curve->n - 1, at = curve->g2.joints_n++;
-  const double *p = curve->control_points + 8 * i;
+  const double *p = ph_curve_points(curve, i);
   for (; at > 0 && joint[at - 1].segment > i; at--) {
     joint[at] = joint[at - 1];
   }
@@ -251,12 +252,14 @@ static void begin_with_data(struct builder *b) {
   struct ph_curve *curve = b->curve;
   struct ph_g2 *g2 = &curve->g2;
   const size_t n = curve->n, number = sizeof(double);
+  double *p = curve->control_points;
   const size_t by = b->intervals[0].first;
   size_t joints = 0, added = 0;
   if (by == 0) {
     return;
   }
-  turn(curve->control_points, n, 8 * number, by);
+  turn(p, n, 6 * number, by);
+  memcpy(p + 6 * n, p, 2 * number); /* where it is closed */
   turn(curve->preimage.v, n, 4 * number, by);
   turn(curve->lengths, n, number, by);
   for (size_t i = 0; i < b->data->n; i++) {
@@ -306,6 +309,7 @@ static enum ph_status build(struct builder *b, const struct ph_g2_parts *parts,
   size_t joints, added, cubics = count(parts, &joints, &added);
   *curve = (struct ph_curve){.kind = PH_CURVE_TC,
                              .closed = b->data->closed,
+                             .joined = true,
                              .dimension = 2,
                              .degree = 3,
                              .n = cubics,

@@ -248,7 +248,8 @@ void ph_tc_curve_put(struct ph_curve *curve, size_t i, const struct ph_tc *tc,
   const struct ph_pow2 grow = ph_pow2_of(-exponent);
   const double root = ldexp(1, -exponent / 2);
   const ph_cplx zero = {0, 0};
-  double *p = curve->control_points + 8 * i, *w = curve->preimage.v + 4 * i;
+  double *p = curve->control_points + ph_curve_stride(curve) * i;
+  double *w = curve->preimage.v + 4 * i;
   ph_cplx leg[4];
   ph_tc_control_points(tc, zero, zero, leg);
   put(p, start);
@@ -267,6 +268,7 @@ enum ph_status ph_tc_build_begin(struct ph_tc_builder *b,
   *curve =
       (struct ph_curve){.kind = PH_CURVE_TC,
                         .closed = data->closed,
+                        .joined = true,
                         .dimension = 2,
                         .degree = 3,
                         .n = data->mode == PH_TC_G1 ? data->n : 2 * data->n,

@@ -47,7 +47,7 @@ static enum ph_status solve_all(struct set *f) {
   struct ph_mark before, after;
   enum ph_status status;
   ck_assert_int_eq(ph_planar_data_of(&u->problem, &u->scratch, &u->scratch,
-                                     &f->data, &u->diag),
+                                     &u->scratch, &f->data, &u->diag),
                    PH_OK);
   before = ph_arena_mark(&u->scratch);
   status =
@@ -501,9 +501,9 @@ PH_TEST(test_none) {
       struct unit_solution u = unit_planar_of(v, 3, closed);
       struct ph_planar_data d;
       struct ph_planar_all all;
-      ck_assert_int_eq(
-          ph_planar_data_of(&u.problem, &u.scratch, &u.scratch, &d, &u.diag),
-          PH_OK);
+      ck_assert_int_eq(ph_planar_data_of(&u.problem, &u.scratch, &u.scratch,
+                                         &u.scratch, &d, &u.diag),
+                       PH_OK);
       d.c2.ratio[1] = bad[i];
       d.c2.twist = ph_cplx_of(-1, 0);
       ck_assert_int_eq(

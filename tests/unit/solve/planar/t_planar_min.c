@@ -32,8 +32,8 @@ static void finish(void) {
 }
 
 static void read_data(void) {
-  enum ph_status status =
-      ph_planar_data_of(&u.problem, &u.arena, &u.arena, &data, &u.diag);
+  enum ph_status status = ph_planar_data_of(&u.problem, &u.arena, &u.arena,
+                                            &u.arena, &data, &u.diag);
   ck_assert_msg(status == PH_OK, "%s", u.diag.message);
   ck_assert_uint_le(ph_planar_unknowns(&data.c2), UNKNOWNS_MAX);
 }

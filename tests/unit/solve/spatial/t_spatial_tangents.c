@@ -18,7 +18,7 @@ struct polygon {
 };
 
 static void set_tangents(struct polygon *p) {
-  ph_spatial_tangents(p->points, p->n, p->closed, p->tangents);
+  ph_spatial_tangents(p->points, p->n, 3, p->closed, p->tangents);
   for (size_t j = 0; j < p->n; j++) {
     ck_abs(ph_vec3_abs(p->tangents[j]), 1, 4e-16);
   }

@@ -304,7 +304,7 @@ static struct ph_curve part_of(const struct ph_result *r, size_t k) {
   part.n = at->last - at->first + 1;
   part.length = at->length;
   part.knots += at->first;
-  part.control_points += 8 * at->first;
+  part.control_points += ph_curve_stride(&part) * at->first;
   part.preimage.v += 4 * at->first;
   part.lengths += at->first;
   return part;
