@@ -46,8 +46,8 @@ struct task {
 static enum ph_status read_problem(struct task *t) {
   const struct ph_record *record = &t->item->record;
   const struct ph_schema *schema = t->options->command->schema;
-  struct ph_arena *arena = &t->worker->arena;
-  return ph_record_read(record, schema, arena, &t->problem, &t->echo, &t->diag);
+  struct ph_arena *given = &t->worker->given;
+  return ph_record_read(record, schema, given, &t->problem, &t->echo, &t->diag);
 }
 
 /* What the record says of its sweep, also when it fails. */
@@ -100,18 +100,23 @@ static enum ph_status refuse_warnings(struct task *t) {
   return t->diag.status;
 }
 
-/* That a curve is what the command promises, and what else is said of it. */
+/* That a curve is what the command promises. */
 static enum ph_status certify_curve(struct task *t,
                                     const struct ph_curve *curve,
                                     struct ph_diagnostics *diagnostics) {
+  return ph_certify(t->options->command->schema->command, &t->problem, curve,
+                    &t->worker->scratch, diagnostics, &t->diag);
+}
+
+/* What else is said of it. */
+static enum ph_status describe_curve(struct task *t,
+                                     const struct ph_curve *curve,
+                                     struct ph_diagnostics *diagnostics) {
   const struct ph_command *command = t->options->command;
-  struct ph_arena *scratch = &t->worker->scratch;
-  enum ph_status status = ph_certify(command->schema->command, &t->problem,
-                                     curve, scratch, diagnostics, &t->diag);
   diagnostics->unasked = t->options->unasked;
-  return status == PH_OK && command->describe
-             ? command->describe(curve, scratch, diagnostics, &t->diag)
-             : status;
+  return command->describe ? command->describe(curve, &t->worker->scratch,
+                                               diagnostics, &t->diag)
+                           : PH_OK;
 }
 
 /* A curve that all but stops turns there as sharply as a corner: so it is said,
@@ -134,11 +139,22 @@ static enum ph_status certify(struct task *t) {
     status =
         certify_curve(t, &r->solutions[i].curve, &r->solutions[i].diagnostics);
   }
-  if (status == PH_OK) {
-    warn_corners(r);
-  } else if (status == PH_E_NO_CONVERGENCE || status == PH_E_TOO_LARGE) {
+  if (status == PH_E_NO_CONVERGENCE || status == PH_E_TOO_LARGE) {
     status = ph_near_points(&t->problem, &t->diag);
     ph_merge_tell(&t->merge, &t->diag);
+  }
+  return status;
+}
+
+static enum ph_status describe(struct task *t) {
+  struct ph_result *r = &t->result;
+  enum ph_status status = describe_curve(t, &r->curve, &r->diagnostics);
+  for (size_t i = 0; status == PH_OK && i < r->solutions_n; i++) {
+    status =
+        describe_curve(t, &r->solutions[i].curve, &r->solutions[i].diagnostics);
+  }
+  if (status == PH_OK) {
+    warn_corners(r);
   }
   return status;
 }
@@ -146,6 +162,7 @@ static enum ph_status certify(struct task *t) {
 void ph_work_begin(const struct ph_options *options, struct ph_worker *worker) {
   ph_budget_start(&worker->budget, options->max_memory, options->time_limit);
   worker->arena.budget = &worker->budget;
+  worker->given.budget = &worker->budget;
   worker->scratch.budget = &worker->budget;
 }
 
@@ -198,6 +215,19 @@ static void forget_text(struct task *t) {
   if (item->held && item->record.n >= FORGOTTEN &&
       ph_record_forget(&item->record, &t->echo, &t->worker->arena)) {
     ph_buf_free(item->held);
+  }
+}
+
+/* Of a large problem that nothing but its curve is of any more, the points are
+ * freed. */
+static void forget_problem(struct task *t) {
+  const struct ph_value *points = &t->problem.field[PH_F_POINTS];
+  struct ph_arena *arena = &t->worker->arena;
+  if (points->n * points->dimension * sizeof(double) >= FORGOTTEN &&
+      !t->item->draw && t->problem.field[PH_F_AT].kind == PH_ABSENT &&
+      ph_record_keep(&t->echo, arena)) {
+    t->problem = (struct ph_problem){0};
+    ph_arena_reset(&t->worker->given);
   }
 }
 
@@ -269,6 +299,10 @@ static enum ph_status solve(struct task *t) {
   }
   if (status == PH_E_NO_CONVERGENCE) {
     advise(t);
+  }
+  if (status == PH_OK) {
+    forget_problem(t);
+    status = describe(t);
   }
   if (status == PH_OK) {
     status = ph_derive(t->options, &t->problem, &worker->arena, &t->result,
@@ -479,10 +513,12 @@ void ph_work(const struct ph_options *options, struct ph_worker *worker,
     subject.line = t.diag.line;
   }
   report(&t, &subject, item->status, &start, err);
+  ph_arena_reset(&worker->given);
   ph_arena_reset(&worker->arena);
 }
 
 void ph_worker_free(struct ph_worker *worker) {
   ph_arena_free(&worker->arena);
+  ph_arena_free(&worker->given);
   ph_arena_free(&worker->scratch);
 }

@@ -19,9 +19,10 @@ enum { PH_WORK_PIECE = 512 << 10 };
 
 /* What a worker keeps from record to record. */
 struct ph_worker {
-  struct ph_arena arena;   /* of the record */
+  struct ph_arena arena;   /* of the record, but for what */
+  struct ph_arena given;   /* has: the problem as it was read */
   struct ph_arena scratch; /* of the solver */
-  struct ph_budget budget; /* of both */
+  struct ph_budget budget; /* of all */
 };
 
 /* One result to be: a record and a combination of swept values. */

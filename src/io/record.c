@@ -28,20 +28,23 @@ static const char *keep(const char *text, size_t n, struct ph_arena *arena) {
   return text ? ph_arena_copy(arena, text, n) : NULL;
 }
 
-bool ph_record_forget(struct ph_record *record, struct ph_echo *echo,
-                      struct ph_arena *arena) {
-  const char *id, *meta;
-  if (record->columns || record->mesh ||
-      memchr(record->text, '\n', record->n)) {
-    return false;
-  }
-  id = keep(echo->id, echo->id_n, arena);
-  meta = keep(echo->meta, echo->meta_n, arena);
+bool ph_record_keep(struct ph_echo *echo, struct ph_arena *arena) {
+  const char *id = keep(echo->id, echo->id_n, arena);
+  const char *meta = keep(echo->meta, echo->meta_n, arena);
   if ((echo->id && !id) || (echo->meta && !meta)) {
     return false;
   }
   echo->id = id;
   echo->meta = meta;
+  return true;
+}
+
+bool ph_record_forget(struct ph_record *record, struct ph_echo *echo,
+                      struct ph_arena *arena) {
+  if (record->columns || record->mesh ||
+      memchr(record->text, '\n', record->n) || !ph_record_keep(echo, arena)) {
+    return false;
+  }
   record->text = NULL;
   return true;
 }

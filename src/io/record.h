@@ -51,6 +51,10 @@ enum ph_status ph_record_read(const struct ph_record *record,
                               struct ph_problem *problem, struct ph_echo *echo,
                               struct ph_diag *diag);
 
+/* ph_record_keep: what is echoed goes to the arena.
+ * ret  false: memory is exhausted, and it stays where it is */
+bool ph_record_keep(struct ph_echo *echo, struct ph_arena *arena);
+
 /*
  * ph_record_forget: the text of a record that was read will not be there any
  * more; what is echoed goes to the arena, and lines are known without it.
