@@ -334,7 +334,7 @@ else
     }
     print "]}"
   }' >in
-  held planar 52 ', smooth'
+  held planar 51 ', smooth'
   held spatial-hermite 95 ', smooth'
   # one problem, many results
   problem 1 >in

@@ -49,13 +49,20 @@ struct node {
   struct ph_cone cone;
 };
 
+/* The same in less memory: the box is a little larger. */
+struct stored {
+  float low[2], high[2];
+  struct ph_cone cone;
+};
+
 struct tree {
   const struct ph_curve *curve;
-  ph_cplx origin;            /* of the frame */
-  ph_cplx factor;            /* frame = factor (data - origin) */
-  ph_cplx root;              /* of the factor, for the preimage */
-  size_t levels;             /* the root is node 0 of level levels - 1 */
-  struct node *node[LEVELS]; /* [level][i], level >= STORED */
+  struct ph_box2 box;          /* of the stored nodes, as it is */
+  ph_cplx origin;              /* of the frame */
+  ph_cplx factor;              /* frame = factor (data - origin) */
+  ph_cplx root;                /* of the factor, for the preimage */
+  size_t levels;               /* the root is node 0 of level levels - 1 */
+  struct stored *node[LEVELS]; /* [level][i], level >= STORED */
   struct ph_quad rule;
   struct ph_meet meet;
 };
@@ -208,11 +215,28 @@ static struct node node_join(const struct node *a, const struct node *b) {
   return node;
 }
 
+/* More than what rounding to a float changes. */
+static inline double float_rounding(double x) {
+  return (double)FLT_EPSILON * fabs(x) + (double)FLT_MIN;
+}
+
+static struct stored stored_of(const struct node *node) {
+  struct stored s = {.cone = node->cone};
+  for (size_t i = 0; i < 2; i++) {
+    const double low = node->box.low[i], high = node->box.high[i];
+    s.low[i] = (float)(low - float_rounding(low));
+    s.high[i] = (float)(high + float_rounding(high));
+  }
+  return s;
+}
+
 static struct node node_of(const struct tree *t, struct place at) {
   size_t k = at.i << at.level, end = k + ((size_t)1 << at.level);
   struct node node;
   if (at.level >= STORED) {
-    return t->node[at.level][at.i];
+    const struct stored *s = &t->node[at.level][at.i];
+    return (struct node){{{s->low[0], s->low[1]}, {s->high[0], s->high[1]}},
+                         s->cone};
   }
   node = leaf(t, k++);
   for (; k < end && k < t->curve->n; k++) {
@@ -229,19 +253,22 @@ static bool build(struct tree *t, struct ph_arena *scratch) {
     if (level < STORED) {
       continue;
     }
-    t->node[level] = ph_arena_array(scratch, count, sizeof(struct node));
+    t->node[level] = ph_arena_array(scratch, count, sizeof **t->node);
     if (!t->node[level]) {
       return false;
     }
     for (size_t i = 0; i < count; i++) {
       struct place child[2];
       size_t children_n = children(t, (struct place){level, i}, child);
-      struct node *node = &t->node[level][i];
-      *node = node_of(t, child[0]);
+      struct node node = node_of(t, child[0]);
       if (children_n == 2) {
         struct node second = node_of(t, child[1]);
-        *node = node_join(node, &second);
+        node = node_join(&node, &second);
       }
+      if (level == STORED) {
+        t->box = i > 0 ? ph_box2_join(&t->box, &node.box) : node.box;
+      }
+      t->node[level][i] = stored_of(&node);
     }
   }
   t->levels = level;
@@ -381,7 +408,7 @@ enum ph_status ph_cross_planar(const struct ph_curve *curve,
   }
   top = (struct place){t.levels - 1, 0};
   all = node_of(&t, top);
-  set_tolerance(&t, &all.box);
+  set_tolerance(&t, t.levels > STORED ? &t.box : &all.box);
   t.meet.rule = &t.rule;
   t.meet.steps = STEPS + STEPS_EACH * curve->n;
   *cross = (struct ph_cross){.loops = loops(&t)};
