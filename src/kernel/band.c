@@ -76,9 +76,9 @@ static bool root(double *l, size_t rows) {
 
 /* Two columns at a time, as the others are then read and written once for
  * both; rounded as one at a time. */
-bool ph_sym_factor(double *a, size_t n, size_t k) {
+bool ph_sym_reduce(double *a, size_t n, size_t k, size_t m) {
   const size_t next = k + 1;
-  for (size_t j = 0; j < n; j += 2) {
+  for (size_t j = 0; j < m; j += 2) {
     double *l = a + j * next, *l1 = l + next, *to = l1;
     const size_t rows = least(k, n - 1 - j);
     size_t rows1;
@@ -108,6 +108,10 @@ bool ph_sym_factor(double *a, size_t n, size_t k) {
     }
   }
   return true;
+}
+
+bool ph_sym_factor(double *a, size_t n, size_t k) {
+  return ph_sym_reduce(a, n, k, n);
 }
 
 /* Multiplications by inverses of the diagonal: the divisions wait for nothing,

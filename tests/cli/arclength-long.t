@@ -79,6 +79,14 @@ done
 family 'walks, free, 300' walk 300 0 0
 get diagnostics.iterations | tr ' ' '\n' |
   holds 'walks, free, 300: steps' 'x[1] < 100 && x[n] < 100'
+# One place where steps are short does not shorten all others: one start, and
+# hardly more steps than of shorter walks.
+family 'walks, free, 500' walk 500 0 0
+get diagnostics.iterations | tr ' ' '\n' |
+  holds 'walks, free, 500: steps' 'x[1] < 60 && x[n] < 60'
+family 'walks, 300' walk 300 1.2 0.4
+equal 'walks, 300: the start' '"wiggle"' \
+  "$(get diagnostics.start | tr ' ' '\n' | sort -u)"
 # What nearly holds after the steps of a start goes on.
 family 'cables, 200' smooth 200 1.01 0.02
 equal 'cables, 200: the start' '"wiggle"' \

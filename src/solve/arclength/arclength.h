@@ -10,6 +10,71 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+/* ---- blocks of unknowns -------------------------------------------------- */
+
+/*
+ * Stretches of the unknowns, each with a shift of its own: with one for all,
+ * the one place of a long curve where steps are short would shorten all others.
+ *
+ * A block has as large a shift as makes its matrix, with that of a neighbour,
+ * positive definite on the null space of the rows, and as keeps the bend of its
+ * rows small: |correction| / |step| of the block, where a second step corrects
+ * for the curvature of the rows.
+ */
+struct ph_arc_blocks {
+  size_t n;      /* 0: there are too few intervals for blocks */
+  size_t width;  /* places in the order of matrices; the last has more */
+  double *shift; /* [n] */
+  double *bend;  /* [n] after a step */
+  double *stiff; /* [n] |gradient| / |step|: a shift that would halve it */
+  double *each;  /* [x_n] the shift of each unknown */
+  double *pair;  /* the matrix of two blocks */
+};
+
+/* ph_arc_blocks_alloc: those of a system; false: no memory. */
+bool ph_arc_blocks_alloc(const struct ph_arc_system *system,
+                         struct ph_arena *arena, struct ph_arc_blocks *blocks);
+
+/* ph_arc_blocks_begin: no block has a shift. */
+void ph_arc_blocks_begin(struct ph_arc_blocks *blocks);
+
+/* ph_arc_blocks_shifts: the shifts [x_n] of the unknowns, NULL if n is 0; they
+ * are overwritten by all that follows. */
+const double *ph_arc_blocks_shifts(const struct ph_arc_system *system,
+                                   struct ph_arc_blocks *blocks);
+
+enum ph_arc_shape { PH_ARC_CONVEX, PH_ARC_BENT, PH_ARC_UNKNOWN };
+
+/*
+ * ph_arc_blocks_convex: what the shifts of blocks want to be convex.
+ *
+ * The blocks are eliminated one after the other.  Where the next two are not
+ * positive definite both are raised.
+ *
+ * inout matrix  of ph_arc_penalised, with the shifts as they are; undefined
+ * ret   convex; or with what ph_arc_blocks_apply adds; or it cannot be said
+ */
+enum ph_arc_shape ph_arc_blocks_convex(const struct ph_arc_system *system,
+                                       double *matrix,
+                                       struct ph_arc_blocks *blocks);
+
+/* ph_arc_blocks_apply: raises the shifts by what ph_arc_blocks_convex found. */
+void ph_arc_blocks_apply(struct ph_arc_blocks *blocks);
+
+/* ph_arc_blocks_look: bends and stiffness of a step dx of this length and of
+ * dx2, the same corrected.  gradient[x_n], dx[x_n], dx2[x_n] */
+void ph_arc_blocks_look(const struct ph_arc_system *system,
+                        const double *gradient, const double *dx, double step,
+                        const double *dx2, struct ph_arc_blocks *blocks);
+
+/* ph_arc_blocks_raise: raises the shifts of blocks that bend, after a step that
+ * was refused.  ret whether one was raised */
+bool ph_arc_blocks_raise(struct ph_arc_blocks *blocks);
+
+/* ph_arc_blocks_settle: all shifts for the next step, after one that was taken.
+ */
+void ph_arc_blocks_settle(struct ph_arc_blocks *blocks);
+
 /* ---- Newton's iteration -------------------------------------------------- */
 
 /*
@@ -17,9 +82,9 @@
  *
  *   A dx + J^T dy = -grad (F + y . c),   J dx - compliance dy = -c
  *
- * with A made positive definite on the null space of J by a shift, an l1 merit
- * function, a correction for the curvature of the rows and phases that turn
- * (ph_arc_retract).
+ * with A made positive definite on the null space of J by a shift, of many
+ * intervals by shifts of blocks, an l1 merit function, a correction for the
+ * curvature of the rows and phases that turn (ph_arc_retract).
  */
 
 /* An iterate, and what is known of it. */
@@ -48,6 +113,7 @@ struct ph_arc_newton {
   double *x[2];      /* [x_n] candidates */
   double *c;         /* [y_n] rows of a candidate */
   double *nu;        /* [y_n] weights of |c| in the merit function */
+  struct ph_arc_blocks blocks;
 };
 
 /* ph_arc_newton_alloc: the memory that a system needs; false: there is none. */
@@ -282,6 +348,7 @@ struct ph_arc_penalty_options {
   double tolerance;  /* of the rows */
   double inner;      /* a step that gains less of F ends the inner iteration */
   size_t iterations; /* steps, at most */
+  double creeps;     /* a step that gains less of the penalty ends it, too */
 };
 
 struct ph_arc_penalty_report {

@@ -305,6 +305,9 @@ static void add_hessian(const struct ph_arc_system *s, const double *x,
   for (size_t k = 0; weights->shift > 0 && k < s->x_n; k++) {
     add(t, t->place[k], t->place[k], weights->shift);
   }
+  for (size_t k = 0; weights->shifts && k < s->x_n; k++) {
+    add(t, t->place[k], t->place[k], weights->shifts[k]);
+  }
 }
 
 /* A row of the equations and its column, over n nodes. */

@@ -38,6 +38,9 @@ static const double SHIFT_FIRST = 1e-7, SHIFT_REFUSED = 1e-3, SHIFT_MAX = 1e10,
                     SHIFT_NONE = 1e-10;
 static const double STEP_MIN = 1e-5;
 static const double ARMIJO = 1e-4;
+/* So many times blocks take shorter steps, before all do: with 4 free walks
+ * of 1000 take a step of ten more in mean, and each costs a matrix. */
+enum { SHORTER = 2 };
 /* A step does not change a node by more than this times the largest one. */
 static const double STEP_MAX = 2;
 static const double STEP_SINGULAR = 1e6;
@@ -51,6 +54,7 @@ struct state {
   double limit;  /* of residuals and gradients near the end */
   double y_size; /* largest multiplier */
   bool near;     /* plain Newton steps */
+  bool convex;   /* shifts grew since the matrix was */
   double noise;  /* rounding of the merit function */
   double before; /* the decrement of the step before, if that was near */
   size_t stagnations;
@@ -75,7 +79,8 @@ bool ph_arc_newton_alloc(const struct ph_arc_system *s, struct ph_arena *arena,
   w->dy = ph_arena_array(arena, s->y_n, size);
   w->c = ph_arena_array(arena, s->y_n, size);
   w->nu = ph_arena_array(arena, s->y_n, size);
-  return ph_arc_linear_alloc(s, arena, &w->linear) && w->kkt && w->pivot &&
+  return ph_arc_linear_alloc(s, arena, &w->linear) &&
+         ph_arc_blocks_alloc(s, arena, &w->blocks) && w->kkt && w->pivot &&
          w->penalised && w->step && w->dx && w->dx2 && w->x[0] && w->x[1] &&
          w->y && w->dy && w->c && w->nu;
 }
@@ -137,13 +142,24 @@ static bool is_positive(const struct ph_arc_system *s, struct ph_arc_newton *w,
          ph_sym_factor(w->penalised, s->x_n, s->order_band);
 }
 
+/* What blocks add to the shift. */
+static const double *shifts(struct state *t) {
+  return t->near ? NULL : ph_arc_blocks_shifts(t->s, &t->w->blocks);
+}
+
 /* Whether the Hessian, shifted, is positive definite on the null space of J.
  * What rounding does to it is asked without a shift only: the next one is more.
  */
-static bool is_convex(struct state *t) {
-  const size_t tries = t->shift > 0 ? 2 : 4;
-  for (size_t k = 0; k < tries && !ph_arena_late(t->w->arena); k++) {
-    struct ph_arc_weights weights = {1, t->shift, PIN, k < 2 ? 0 : ALARM};
+static bool is_convex(struct state *t, size_t from) {
+  const struct ph_arc_blocks *b = &t->w->blocks;
+  bool shifted = t->shift > 0;
+  for (size_t k = 0; k < b->n && !shifted; k++) {
+    shifted = b->shift[k] > 0;
+  }
+  for (size_t k = from, tries = shifted ? 2 : 4;
+       k < tries && !ph_arena_late(t->w->arena); k++) {
+    struct ph_arc_weights weights = {1, t->shift, PIN, k < 2 ? 0 : ALARM,
+                                     shifts(t)};
     if (is_positive(t->s, t->w, t->p->x, t->p->y,
                     PENALTY[k % 2] * (1 + t->y_size), &weights)) {
       return true;
@@ -152,14 +168,41 @@ static bool is_convex(struct state *t) {
   return false;
 }
 
+/* The same of blocks, which are raised where it is not. */
+static bool make_convex(struct state *t) {
+  const struct ph_arc_system *s = t->s;
+  struct ph_arc_newton *w = t->w;
+  struct ph_arc_weights weights = {1, t->shift, PIN, 0, shifts(t)};
+  enum ph_arc_shape shape;
+  ph_arc_penalised(s, t->p->x, t->p->y, &w->linear, &weights,
+                   PENALTY[0] * (1 + t->y_size), w->penalised);
+  shape = ph_arc_blocks_convex(s, w->penalised, &w->blocks);
+  if (shape == PH_ARC_CONVEX || is_convex(t, 1)) {
+    return true;
+  }
+  if (shape == PH_ARC_BENT) {
+    ph_arc_blocks_apply(&w->blocks);
+  }
+  return shape == PH_ARC_BENT;
+}
+
+/* The multipliers after a whole step. */
+static void set_multipliers(struct state *t) {
+  for (size_t r = 0; r < t->s->y_n; r++) {
+    t->w->y[r] = t->p->y[r] + t->w->dy[r];
+  }
+}
+
 /* The Newton step from a matrix that has the inertia of a minimum. */
 static bool find_step(struct state *t) {
   const struct ph_arc_system *s = t->s;
   struct ph_arc_newton *w = t->w;
   const struct ph_arc_point *p = t->p;
   while (t->shift <= SHIFT_MAX && !ph_arena_late(w->arena)) {
-    struct ph_arc_weights weights = {1, t->shift, PIN, 0};
-    if (t->near || is_convex(t)) {
+    struct ph_arc_weights weights = {1, t->shift, PIN, 0, NULL};
+    if (t->near || t->convex ||
+        (w->blocks.n > 0 ? make_convex(t) : is_convex(t, 0))) {
+      weights.shifts = shifts(t);
       ph_arc_kkt(s, p->x, p->y, &w->linear, &weights, w->kkt);
       if (!ph_arena_late(w->arena) &&
           ph_band_factor(w->kkt, w->pivot, s->kkt_n, s->kkt_band)) {
@@ -173,11 +216,12 @@ static bool find_step(struct state *t) {
         solve(t, w->dx, w->dy);
         if (ph_arc_largest(s->x_n, w->dx) < STEP_SINGULAR &&
             isfinite(ph_arc_largest(s->y_n, w->dy))) {
+          set_multipliers(t);
           return true;
         }
       }
     }
-    t->near = false;
+    t->near = t->convex = false;
     t->shift = t->shift > 0 ? 4 * t->shift : SHIFT_FIRST;
   }
   return false;
@@ -319,6 +363,49 @@ static double search(struct state *t) {
   return 0;
 }
 
+/* The same, always corrected, which tells how much rows bend. */
+static bool try_corrected(struct state *t, double step, double limit) {
+  struct ph_arc_newton *w = t->w;
+  double *swap = w->x[1], plain, corrected;
+  ph_arc_retract(t->s, t->p->x, w->dx, step, w->x[0]);
+  plain = merit(t, w->x[0]);
+  correct(t, w->x[0], step);
+  ph_arc_blocks_look(t->s, w->linear.l_x, w->dx, step, w->dx2, &w->blocks);
+  ph_arc_retract(t->s, t->p->x, w->dx2, 1, w->x[1]);
+  corrected = merit(t, w->x[1]);
+  if (corrected <= plain || isnan(plain)) {
+    w->x[1] = w->x[0];
+    w->x[0] = swap;
+    plain = corrected;
+  }
+  return plain <= limit;
+}
+
+/* The same of blocks: where a whole step is not good enough, those whose rows
+ * bend take shorter ones, and all others need not. */
+static double search_blocks(struct state *t) {
+  for (size_t k = 0; k < SHORTER; k++) {
+    double before = merit(t, t->p->x), down = merit_derivative(t),
+           far = change(t), noise = t->noise + 1e-14 * before;
+    double step = far < STEP_MAX ? 1 : STEP_MAX / far;
+    if (try_corrected(t, step, before + ARMIJO * step * down + noise) &&
+        !(step < 1)) {
+      ph_arc_blocks_settle(&t->w->blocks);
+      return 1;
+    }
+    if (!ph_arc_blocks_raise(&t->w->blocks)) {
+      break;
+    }
+    t->convex = true;
+    if (!find_step(t)) {
+      return 0;
+    }
+    t->convex = false;
+    weigh_rows(t);
+  }
+  return search(t);
+}
+
 /* ---- the iteration ------------------------------------------------------- */
 
 static double decrement(const struct state *t) {
@@ -383,15 +470,12 @@ static bool iterate(struct state *t) {
   if (!find_step(t)) {
     return false;
   }
-  for (size_t r = 0; r < s->y_n; r++) {
-    w->y[r] = p->y[r] + w->dy[r];
-  }
   if (rows_hold(s, w->linear.c, p->y) && is_settled(t)) {
     finish(t);
     return false;
   }
   weigh_rows(t);
-  step = search(t);
+  step = w->blocks.n > 0 && !t->near ? search_blocks(t) : search(t);
   p->iterations++;
   if (!(step > 0) && t->near) {
     ph_arc_retract(s, p->x, w->dx, 1, w->x[0]);
@@ -408,11 +492,11 @@ static bool iterate(struct state *t) {
     t->limit = fmax(p->residual, p->kkt) / 10;
   }
   t->hint = t->shift > 0 ? t->shift : t->hint;
-  t->shift = !(step < 1)    ? t->shift / 10
-             : step > 0.2   ? t->shift
-             : t->shift > 0 ? 4 * t->shift
-             : t->hint > 0  ? 10 * t->hint
-                            : SHIFT_REFUSED;
+  t->shift = !(step < 1)                     ? t->shift / 10
+             : step > 0.2 || w->blocks.n > 0 ? t->shift
+             : t->shift > 0                  ? 4 * t->shift
+             : t->hint > 0                   ? 10 * t->hint
+                                             : SHIFT_REFUSED;
   t->shift = t->shift < SHIFT_NONE ? 0 : t->shift;
   return true;
 }
@@ -449,11 +533,8 @@ bool ph_arc_newton_plain(const struct ph_arc_system *s,
   for (size_t i = 0; i < limit && !ph_arena_late(work->arena); i++) {
     look(&t);
     t.near = true;
-    if (!isfinite(p->f) || !find_step(&t) || t.shift > 0) {
+    if (!isfinite(p->f) || !find_step(&t) || !t.near) {
       return false;
-    }
-    for (size_t r = 0; r < s->y_n; r++) {
-      work->y[r] = p->y[r] + work->dy[r];
     }
     if (rows_hold(s, work->linear.c, p->y) && is_settled(&t)) {
       finish(&t);
@@ -473,7 +554,7 @@ bool ph_arc_is_minimum(const struct ph_arc_system *s,
                        const double *y) {
   ph_arc_linearise(s, x, y, &work->linear);
   for (size_t k = 0; k < 8 && !ph_arena_late(work->arena); k++) {
-    struct ph_arc_weights weights = {1, 0, PIN, k < 4 ? 0 : ROUNDING};
+    struct ph_arc_weights weights = {1, 0, PIN, k < 4 ? 0 : ROUNDING, NULL};
     if (is_positive(s, work, x, y, PROOF[k % 4], &weights)) {
       return true;
     }

@@ -193,7 +193,8 @@ void ph_arc_model(struct ph_arc_lagrangian *g) {
   const struct ph_arc_system *s = g->s;
   struct ph_arc_work *w = g->w;
   struct ph_arc_weights weights = {1, s->direction ? SHIFT_SINGULAR : 0,
-                                   s->direction ? 0 : fmax(PIN, g->rho), 0};
+                                   s->direction ? 0 : fmax(PIN, g->rho), 0,
+                                   NULL};
   for (size_t r = 0; r < s->y_n; r++) {
     w->y[r] = ph_arc_multiplier(g, w->c, r);
   }
@@ -288,10 +289,9 @@ static bool advance(struct ph_arc_lagrangian *g) {
 /* ---- the search --------------------------------------------------------- */
 
 /* The multipliers may be set anew when a step promises no more than INNER of
- * the penalty, or of F, and the matrix needs no shift; or when it gains no more
- * than CREEPS: along curved valleys it may for hundreds of steps.  Five free
- * walks of 500 take 36 in mean, with 1e-2 18 and with 1e-4 43. */
-static const double INNER = 0.1, INNER_SHIFT = 0.01, CREEPS = 1e-3;
+ * the penalty, or of F, and the matrix needs no shift; or when it gains too
+ * little: along curved valleys it may for hundreds of steps. */
+static const double INNER = 0.1, INNER_SHIFT = 0.01;
 
 /* Rows that fall by less than this from one setting to the next ask for a
  * larger rho. */
@@ -316,10 +316,12 @@ static double rows_of(const struct ph_arc_lagrangian *g, double *penalty) {
 /* Whether the inner iteration is at its end, after a step from where the value
  * was `last'. */
 static bool is_inner(const struct ph_arc_lagrangian *g, double penalty,
-                     double inner_f, double last) {
+                     const struct ph_arc_penalty_options *options,
+                     double last) {
   const struct ph_arc_region *region = &g->w->region;
-  return region->fall <= INNER * penalty + inner_f * g->f &&
-         (region->shift <= INNER_SHIFT || last - g->value <= CREEPS * penalty);
+  return region->fall <= INNER * penalty + options->inner * g->f &&
+         (region->shift <= INNER_SHIFT ||
+          last - g->value <= options->creeps * penalty);
 }
 
 /* Sets the multipliers; false: rho is at its end, and the rows do not fall. */
@@ -371,7 +373,7 @@ bool ph_arc_penalty(const struct ph_arc_system *s,
          !ph_arena_late(work->arena) && step(&g)) {
     report->iterations++;
     report->rows = rows_of(&g, &penalty);
-    if (is_inner(&g, penalty, options->inner, last)) {
+    if (is_inner(&g, penalty, options, last)) {
       more = set_multipliers(&g, options->rho_max, before, report->rows) &&
              !(report->rows <= options->tolerance);
       before = report->rows;

@@ -9,6 +9,9 @@
  * is better at what is far off; and of one that is near, or the last resort. */
 enum { STEPS_FIRST = 40, STEPS = 150, STEPS_AFTER = 300 };
 
+/* With blocks the first leads to a minimum as a rule, of 1000 in 60 to 130. */
+enum { STEPS_LONG = 100 };
+
 /* Whole steps from a curve that crept, whose rows hold to this. */
 enum { STEPS_WHOLE = 30 };
 static const double CREPT = 1e-4;
@@ -16,13 +19,19 @@ static const double CREPT = 1e-4;
 /* Of all starts with one number of segments, no other is begun after. */
 enum { STEPS_ALL = 1500 };
 
-/* Steps of an augmented Lagrangian, its last weight, what an inner step may
- * gain of F and the residuals that it ends with: it brings the curve near a
- * minimum, from where Newton's method needs fewer steps, which cost less: five
- * free walks of 500 take 36 and 84 in mean; with .1 53 and 59, with 1 12 and
- * 119. */
+/* Steps of an augmented Lagrangian, its last weight and what an inner step may
+ * gain of F. */
 enum { ROUGH_STEPS = 250 };
-static const double RHO_MAX = 1e8, INNER_F = 1e-8, ROUGH = 0.3;
+static const double RHO_MAX = 1e8, INNER_F = 1e-8;
+
+/* The residuals that it ends with, and what an inner step may gain of the
+ * penalty: it brings the curve near a minimum, from where Newton's method needs
+ * fewer steps, which cost less.  Five free walks of 500 take 36 and 84 in mean;
+ * with .1 53 and 59, with 1 12 and 119; with 1e-2 18, with 1e-4 43. */
+static const double ROUGH = 0.3, CREEPS = 1e-3;
+/* The same before blocks, which want the rows: eight free walks of 1000 take 23
+ * and 43 in mean, with .3 and 1e-3 42 and 54, and F is .2 % higher. */
+static const double ROUGH_BLOCKS = 0.1, CREEPS_BLOCKS = 0.03;
 
 /* Residuals of a curve that is good enough to begin with, or to go on from:
  * with 1e-4 one of five cables of 500 needs another start, with 1e-2 none is
@@ -61,9 +70,11 @@ enum use {
   USE_FIRST,  /* until a minimum is found; also where all are wanted */
   USE_NEAR,   /* the same, of lengths that are nearly natural */
   USE_FAR,    /* the same, of others */
+  USE_LONG,   /* the same, of many intervals, see leads() */
   USE_RESCUE, /* until a minimum is found; but not where USE_SINGLE found none:
                * then there is none as a rule */
-  USE_LAST    /* the same, after the others of all numbers of segments */
+  USE_SHORT,  /* the same, where it was not USE_LONG */
+  USE_LAST /* until one is found, after the others of all numbers of segments */
 };
 
 static const struct kind {
@@ -81,11 +92,13 @@ static const struct kind {
     {"twist-right", USE_SINGLE, ORIGIN_INIT, 1e4, 0, -0.2, 0, 0},
     {"wave", USE_GIVEN, ORIGIN_INIT, 1e4, 0, 0, 0.1, 2},
     {"relaxed", USE_NEAR, ORIGIN_NATURAL, 0, 0, 0, 0, 0},
+    {"penalty", USE_LONG, ORIGIN_INIT, 100, 0, 0, 0, 0},
+    {"wiggle", USE_LONG, ORIGIN_WIGGLE, 0, 1e4, 0, 0, 0},
     {"init", USE_FIRST, ORIGIN_INIT, 0, 0, 0, 0, 0},
     {"relaxed", USE_FAR, ORIGIN_NATURAL, 0, 0, 0, 0, 0},
-    {"wiggle", USE_RESCUE, ORIGIN_WIGGLE, 0, 1e4, 0, 0, 0},
+    {"wiggle", USE_SHORT, ORIGIN_WIGGLE, 0, 1e4, 0, 0, 0},
     {"wiggle-1e4", USE_RESCUE, ORIGIN_WIGGLE, 1e4, 0, 0, 0, 0},
-    {"penalty", USE_RESCUE, ORIGIN_INIT, 100, 0, 0, 0, 0},
+    {"penalty", USE_SHORT, ORIGIN_INIT, 100, 0, 0, 0, 0},
     {"penalty-1e4", USE_RESCUE, ORIGIN_INIT, 1e4, 0, 0, 0, 0},
     {"wave-2", USE_LAST, ORIGIN_NEAREST, 0, 0, 0, 0.02, 0},
     {"wave-10", USE_LAST, ORIGIN_NEAREST, 0, 0, 0, 0.1, 0},
@@ -167,11 +180,14 @@ static void leave_valley(struct engine *e) {
  * memory. */
 static void penalise(struct engine *e, double rho) {
   struct ph_arc_point *p = &e->point;
-  struct ph_arc_penalty_options options = {.rho = rho,
-                                           .rho_max = RHO_MAX,
-                                           .iterations = ROUGH_STEPS,
-                                           .tolerance = ROUGH,
-                                           .inner = INNER_F};
+  bool blocks = e->work.blocks.n > 0;
+  struct ph_arc_penalty_options options = {
+      .rho = rho,
+      .rho_max = RHO_MAX,
+      .tolerance = blocks ? ROUGH_BLOCKS : ROUGH,
+      .inner = INNER_F,
+      .iterations = ROUGH_STEPS,
+      .creeps = blocks ? CREEPS_BLOCKS : CREEPS};
   struct ph_arc_penalty_report report;
   ph_arc_whitened(&e->white, p->y, e->rough_y);
   ph_arc_penalty(&e->white, &options, &e->rough, p->x, e->rough_y, &report);
@@ -186,6 +202,7 @@ static bool iterate(struct engine *e, double rho, size_t steps) {
   p->iterations = 0;
   p->converged = p->minimiser = false;
   memset(p->y, 0, e->s->y_n * sizeof *p->y);
+  ph_arc_blocks_begin(&e->work.blocks);
   if (rho > 0) {
     if (!need_rough(e)) {
       return false;
@@ -200,6 +217,11 @@ static bool iterate(struct engine *e, double rho, size_t steps) {
   return true;
 }
 
+/* Steps of a start after which there are others. */
+static size_t first_steps(const struct engine *e) {
+  return e->work.blocks.n > 0 ? STEPS_LONG : STEPS_FIRST;
+}
+
 /* Where Newton's method ended with rows that nearly hold, as of many intervals,
  * it goes on.  Where it crept, with one shift for the whole curve, windows go
  * on from there with the multipliers that it found.  Where rows do not hold yet
@@ -208,7 +230,7 @@ static bool iterate(struct engine *e, double rho, size_t steps) {
 static bool go_on(struct engine *e, double rho) {
   struct ph_arc_point *p = &e->point;
   if (!p->converged && p->residual <= NEAR) {
-    ph_arc_newton_solve(e->s, &e->work, STEPS - STEPS_FIRST, p);
+    ph_arc_newton_solve(e->s, &e->work, STEPS - first_steps(e), p);
   }
   if (p->converged || !(p->residual <= HELD)) {
     return true;
@@ -218,6 +240,7 @@ static bool go_on(struct engine *e, double rho) {
   }
   if (e->rough.windows.n > 0) {
     penalise(e, rho);
+    ph_arc_blocks_begin(&e->work.blocks);
     ph_arc_newton_solve(e->s, &e->work, STEPS_AFTER, p);
     judge_white(e);
   }
@@ -239,13 +262,14 @@ struct run {
 
 /* ---- the natural lengths ------------------------------------------------- */
 
-/* What leads to the natural curve: as the starts. */
+/* What leads to the natural curve: as the starts.  0: the steps of a first one,
+ * which of many intervals comes last. */
 static const struct {
   double rho, wave;
   size_t steps;
-} natural_kinds[] = {{0, 0, STEPS_FIRST},   {100, 0, STEPS_AFTER},
-                     {1e4, 0, STEPS_AFTER}, {0, 0.02, STEPS},
-                     {0, 0.1, STEPS},       {0, 0.3, STEPS}};
+} natural_kinds[] = {
+    {0, 0, 0},        {100, 0, STEPS_AFTER}, {1e4, 0, STEPS_AFTER},
+    {0, 0.02, STEPS}, {0, 0.1, STEPS},       {0, 0.3, STEPS}};
 enum { NATURAL_KINDS = sizeof natural_kinds / sizeof natural_kinds[0] };
 
 /* Keeps the curve of a system whose lengths are free. */
@@ -269,11 +293,13 @@ static bool solve_natural(struct ph_arc_system *s, struct engine *e,
   natural->residual = (double)INFINITY;
   for (size_t k = 0; k < NATURAL_KINDS && !natural->known && steps < STEPS_ALL;
        k++) {
+    size_t at = (k + (e->work.blocks.n > 0)) % NATURAL_KINDS;
     if (!ph_arc_start(s, e->arena, e->point.x)) {
       return false;
     }
-    ph_arc_perturb(s, natural_kinds[k].wave, &state, e->point.x);
-    if (!iterate(e, natural_kinds[k].rho, natural_kinds[k].steps)) {
+    ph_arc_perturb(s, natural_kinds[at].wave, &state, e->point.x);
+    if (!iterate(e, natural_kinds[at].rho,
+                 at > 0 ? natural_kinds[at].steps : first_steps(e))) {
       return false;
     }
     steps += e->point.iterations;
@@ -444,7 +470,7 @@ static bool note(struct run *run, const char *name) {
 static bool try_start(struct run *run, const struct kind *kind) {
   size_t steps = kind->rho > 0                   ? STEPS_AFTER
                  : run->single || kind->wave > 0 ? STEPS
-                                                 : STEPS_FIRST;
+                                                 : first_steps(&run->engine);
   if (ph_arena_late(run->arena)) {
     return false;
   }
@@ -473,6 +499,13 @@ static bool has_origin(const struct run *run, const struct kind *kind) {
   }
 }
 
+/* Whether a start comes before others, of many intervals: what begins at the
+ * natural curve or, where lengths are free, an augmented Lagrangian. */
+static bool leads(const struct run *run, const struct kind *kind) {
+  return run->engine.work.blocks.n > 0 && !run->near &&
+         (kind->origin == ORIGIN_WIGGLE || !run->request->data->length);
+}
+
 /* Whether a start is to be tried now. */
 static bool is_due(const struct run *run, const struct kind *kind) {
   const struct ph_arc_request *request = run->request;
@@ -492,9 +525,12 @@ static bool is_due(const struct run *run, const struct kind *kind) {
     return (none || all) && run->near;
   case USE_FAR:
     return (none || all) && !run->near;
+  case USE_LONG:
+    return (none || all) && request->rescue && leads(run, kind);
   default:
     return none && !run->single && run->steps < STEPS_ALL &&
-           (kind->use == USE_RESCUE ? request->rescue : request->waves);
+           (kind->use == USE_LAST ? request->waves : request->rescue) &&
+           !(kind->use == USE_SHORT && leads(run, kind));
   }
 }
 

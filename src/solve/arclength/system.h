@@ -405,6 +405,7 @@ struct ph_arc_weights {
   double pin;        /* weight of what fixes the common phase of the spinors */
   double rounding;   /* of penalised matrices: times the largest element on the
                       * diagonal of the Hessian, as a further shift; or 0 */
+  const double *shifts; /* [x_n] a further one of each unknown; or NULL */
 };
 
 /*

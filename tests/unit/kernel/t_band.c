@@ -112,6 +112,17 @@ static void shape(struct unit_random *r, size_t *n, size_t *k) {
   *k = unit_random_below(r, *n + 6);
 }
 
+/* The first columns, then what is left, are the factor in sym, as rounded. */
+static void is_factored_in_parts(struct unit_random *r, size_t n, size_t k) {
+  static double whole[N_MAX * (K_MAX + 1)];
+  size_t first = 2 * unit_random_below(r, n / 2 + 1);
+  memcpy(whole, sym, ph_sym_size(n, k) * sizeof *sym);
+  pack_sym(k);
+  ck_assert(ph_sym_reduce(sym, n, k, first));
+  ck_assert(ph_sym_factor(sym + ph_sym_size(first, k), n - first, k));
+  ck_assert_mem_eq(sym, whole, ph_sym_size(n, k) * sizeof *sym);
+}
+
 PH_TEST(cholesky) {
   const struct family family = {.zeros = 0.2};
   struct unit_random r = unit_random_of(1);
@@ -128,6 +139,7 @@ PH_TEST(cholesky) {
     pack_sym(k);
     fill(&r, x, b);
     ck_assert(ph_sym_factor(sym, n, k));
+    is_factored_in_parts(&r, n, k);
     ph_sym_solve(sym, n, k, x);
     ck_assert_double_le(residual(x, b), 20 * DBL_EPSILON);
     l = gsl_matrix_view_array_with_tda(&dense.a[0][0], n, n, N_MAX);

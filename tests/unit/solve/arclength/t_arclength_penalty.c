@@ -306,7 +306,8 @@ PH_TEST(test_region_not_finite) {
 PH_TEST(test_not_feasible) {
   struct setting t;
   struct ph_arc_penalty_report report;
-  const struct ph_arc_penalty_options options = {1e3, 1e8, 1e-6, 1e-6, 60};
+  const struct ph_arc_penalty_options options = {1e3,  1e8, 1e-6,
+                                                 1e-6, 60,  1e-3};
   set_helix(&t, 5);
   for (size_t i = 0; i < 5; i++) {
     t.length[i] = 0.8;
@@ -321,7 +322,8 @@ PH_TEST(test_not_feasible) {
  * make the gradient vanish. */
 static void check_penalty(struct setting *t, double rho, double unit,
                           double f) {
-  const struct ph_arc_penalty_options options = {rho, 1e8, 1e-9, 1e-6, 200};
+  const struct ph_arc_penalty_options options = {rho,  1e8, 1e-9,
+                                                 1e-6, 200, 1e-3};
   struct ph_arc_penalty_report report;
   ck_assert(ph_arc_penalty(&t->white, &options, &t->work, t->x, t->y, &report));
   ck_assert(report.rows <= 1e-9);
@@ -403,7 +405,8 @@ PH_TEST(test_penalty_plane) {
 
 /* A circle with two segments in each interval. */
 PH_TEST(test_penalty_closed) {
-  const struct ph_arc_penalty_options options = {10, 1e8, 1e-9, 1e-6, 200};
+  const struct ph_arc_penalty_options options = {10,   1e8, 1e-9,
+                                                 1e-6, 200, 1e-3};
   struct ph_arc_penalty_report report;
   struct setting t;
   double angle = acos(-1) / 4;
@@ -447,7 +450,8 @@ PH_TEST(test_twist) {
 
 /* What the search finds is where Newton's method begins: few steps are left. */
 PH_TEST(test_penalty_newton) {
-  const struct ph_arc_penalty_options options = {100, 1e8, 1e-4, 1e-6, 200};
+  const struct ph_arc_penalty_options options = {100,  1e8, 1e-4,
+                                                 1e-6, 200, 1e-3};
   struct ph_arc_penalty_report report;
   struct ph_arc_newton newton;
   struct ph_arc_point point;
@@ -549,7 +553,8 @@ PH_TEST_EACH(test_sweeps, 5) {
 
 /* Lengths that yield: what Newton's method finds. */
 PH_TEST(test_penalty_soft) {
-  const struct ph_arc_penalty_options options = {100, 1e8, 1e-9, 1e-9, 200};
+  const struct ph_arc_penalty_options options = {100,  1e8, 1e-9,
+                                                 1e-9, 200, 1e-3};
   struct ph_arc_penalty_report report;
   struct ph_arc_newton newton;
   struct ph_arc_point point;

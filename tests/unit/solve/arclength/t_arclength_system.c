@@ -264,7 +264,7 @@ static double kkt_at(struct setting *t, double *matrix, uint32_t i,
 
 PH_TEST_EACH(test_kkt_matrix, SORTS) {
   struct unit_random r = unit_random_of(990 + (uint64_t)_i);
-  static const struct ph_arc_weights weights = {1, 0, 0, 0};
+  static const struct ph_arc_weights weights = {1, 0, 0, 0, NULL};
   struct setting t;
   double *matrix, plus[X_MAX], minus[X_MAX];
   set_up(&r, &sorts[_i], &t);
@@ -298,7 +298,7 @@ PH_TEST_EACH(test_kkt_matrix, SORTS) {
 /* v . (A + rho J^T J) v in one way and the other. */
 PH_TEST_EACH(test_penalised_matrix, SORTS) {
   struct unit_random r = unit_random_of(1020 + (uint64_t)_i);
-  static const struct ph_arc_weights weights = {1, 0.5, 3, 0};
+  static const struct ph_arc_weights weights = {1, 0.5, 3, 0, NULL};
   const double rho = 7;
   struct setting t;
   double *kkt, *sym, v[X_MAX], jv[Y_MAX], want = 0, got = 0;
