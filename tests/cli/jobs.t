@@ -215,7 +215,7 @@ same 'in space, offsets and Bezier pieces' 1 -d 0.1,-0.2 --convert=bezier \
 same 'in space, a table' 1 -f csv --strict some-space.jsonl
 # Curves whose segments several threads look for; of the second the first of two
 # segments without angles is told, of the third all that lack the shape are
-# counted, and the last asks for memory for each.
+# counted, and the last searches.
 awk 'BEGIN {
   n = 2800
   for (i = 1; i <= 4; i++) {
@@ -237,6 +237,9 @@ awk 'BEGIN {
 same 'in space, long' 1 -d 0.01 long-space.jsonl
 true_that 'in space, long: the first failure is told' \
   grep -q 'record 2: segments\[2499\]: has no angles' err
+# searches of one curve by all threads
+sed -n 4p long-space.jsonl >searches.jsonl
+same 'in space, searches' 0 --criterion=F3 --basis=atph -q searches.jsonl
 
 # ---- points on a sphere ------------------------------------------------------
 

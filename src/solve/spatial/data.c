@@ -23,6 +23,9 @@ static const double STANDSTILL = 1e-14;
  * flatness of a segment, so that what three of them span is within 2 of it. */
 static const double ONE_PLANE = 2.0 / 3;
 
+/* Directions within this of exactly opposite count as a reversal. */
+static const double REVERSAL = 1e-12;
+
 struct reading {
   const struct ph_problem *problem;
   struct ph_spatial_points *points;
@@ -408,4 +411,27 @@ enum ph_status ph_spatial_points_of(const struct ph_problem *problem,
     status = steps[i](&r);
   }
   return status;
+}
+
+void ph_spatial_warn_reversals(const struct ph_spatial_points *p,
+                               struct ph_result *result) {
+  size_t found = 0, first = 0;
+  for (size_t k = p->closed ? 0 : 1; k < p->n; k++) {
+    struct ph_spatial_data a, b;
+    ph_vec3 u, v;
+    ph_spatial_segment(p, k > 0 ? k - 1 : p->n - 1, 1, &a);
+    ph_spatial_segment(p, k, 1, &b);
+    u = ph_vec3_unit(a.dp);
+    v = ph_vec3_unit(b.dp);
+    if (ph_vec3_dot(u, v) < 0 && ph_vec3_abs(ph_vec3_cross(u, v)) <= REVERSAL &&
+        found++ == 0) {
+      first = k;
+    }
+  }
+  if (found) {
+    ph_warn(result, first, PH_W_REVERSAL,
+            "the data turn back by 180 degrees at points[%zu] (such points: "
+            "%zu): of many tangents one was taken",
+            first, found);
+  }
 }

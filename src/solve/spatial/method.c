@@ -19,9 +19,6 @@
 #include <math.h>
 #include <string.h>
 
-/* Directions within this of exactly opposite count as a reversal. */
-static const double REVERSAL = 1e-12;
-
 /* How well a factor on the tension can be told: of a minimum, half of the
  * digits of its value are known. */
 static const double EXACT = 1e-13;
@@ -37,6 +34,10 @@ enum { WORK_WHOLE = 50000, WORK_NEAR = 50000 };
  * worth another one: a segment takes a microsecond and more, a thread 20 to
  * begin. */
 enum { BLOCK = 2048, CHUNK = 64, WORTH = 512 };
+
+/* The same of segments whose angles are searched for, 100 microseconds and
+ * more each. */
+enum { WORTH_SEARCHES = 2 };
 
 /* The criteria: those of FAR15 are functions of the family. */
 static const struct criterion {
@@ -371,20 +372,44 @@ static void find_segment(const struct task *t, size_t k, struct found *found,
 /* Segments that are looked for together. */
 struct block {
   const struct task *task;
-  size_t first;        /* of them */
-  struct found *found; /* by segment */
+  size_t first;               /* of them */
+  struct found *found;        /* by segment */
+  struct ph_account *account; /* of the memory of each; NULL: it takes none */
   atomic_bool late;
 };
+
+/* The same where memory is taken for it, which is free again. */
+static bool search_segment(const struct block *b, size_t i,
+                           struct ph_diag *why) {
+  struct ph_account *account = &b->account[i];
+  struct task own = *b->task;
+  bool late;
+  ph_account_begin(account, b->task->scratch);
+  own.scratch = &account->arena;
+  late = ph_arena_late(own.scratch);
+  if (!late) {
+    find_segment(&own, b->first + i, &b->found[i], why);
+  }
+  ph_arena_free(own.scratch);
+  return !late;
+}
 
 static bool find_some(void *context, size_t thread, size_t first, size_t end) {
   struct block *b = context;
   struct ph_diag why;
   for (size_t i = first; i < end; i++) {
-    if (!thread && ph_arena_late(b->task->scratch)) { /* it is for one to ask */
+    bool in_time = true;
+    if (b->account) {
+      in_time = search_segment(b, i, &why);
+    } else if (!thread && ph_arena_late(b->task->scratch)) {
+      in_time = false; /* it is for one to ask */
+    } else {
+      find_segment(b->task, b->first + i, &b->found[i], &why);
+    }
+    if (!in_time) {
       atomic_store(&b->late, true);
       return false;
     }
-    find_segment(b->task, b->first + i, &b->found[i], &why);
     if (b->found[i].status != PH_OK) {
       return false;
     }
@@ -392,13 +417,11 @@ static bool find_some(void *context, size_t thread, size_t first, size_t end) {
   return true;
 }
 
-/* n segments, by all threads that there are: but by one where memory is taken
- * for each, which is for one to take. */
+/* n segments, by all threads that there are. */
 static void find_block(struct block *b, size_t n) {
-  const struct task *t = b->task;
-  const bool takes = searches(t);
-  ph_team_share(t->scratch, n, takes ? n + 1 : WORTH, takes ? 1 : CHUNK,
-                find_some, b);
+  const bool takes = b->account;
+  ph_team_share(b->task->scratch, n, takes ? WORTH_SEARCHES : WORTH,
+                takes ? 1 : CHUNK, find_some, b);
 }
 
 /* Where the curve goes on: the frame at its end, and its length. */
@@ -433,7 +456,10 @@ static enum ph_status solve_segments(struct task *t, struct ph_diag *diag) {
   const size_t n = t->points.n, most = n < BLOCK ? n : BLOCK;
   struct block block = {.task = t};
   block.found = ph_arena_array(t->scratch, most, sizeof *block.found);
-  if (!block.found) {
+  if (searches(t)) {
+    block.account = ph_arena_array(t->scratch, most, sizeof *block.account);
+  }
+  if (!block.found || (searches(t) && !block.account)) {
     return ph_fail_memory(diag);
   }
   atomic_init(&block.late, false);
@@ -444,6 +470,9 @@ static enum ph_status solve_segments(struct task *t, struct ph_diag *diag) {
       return ph_fail_memory(diag);
     }
     for (size_t i = 0; i < here; i++) {
+      if (block.account && !ph_account_end(&block.account[i])) {
+        return ph_fail_memory(diag);
+      }
       if (block.found[i].status != PH_OK) {
         return tell(t, block.first + i, &block.found[i], diag);
       }
@@ -459,30 +488,6 @@ static enum ph_status solve_segments(struct task *t, struct ph_diag *diag) {
 }
 
 /* ---- the whole ------------------------------------------------------ */
-
-/* Tangents found where the data turn back: others are as good. */
-static void warn_reversals(const struct task *t) {
-  const struct ph_spatial_points *p = &t->points;
-  size_t found = 0, first = 0;
-  for (size_t k = p->closed ? 0 : 1; k < p->n; k++) {
-    struct ph_spatial_data a, b;
-    ph_vec3 u, v;
-    ph_spatial_segment(p, k > 0 ? k - 1 : p->n - 1, 1, &a);
-    ph_spatial_segment(p, k, 1, &b);
-    u = ph_vec3_unit(a.dp);
-    v = ph_vec3_unit(b.dp);
-    if (ph_vec3_dot(u, v) < 0 && ph_vec3_abs(ph_vec3_cross(u, v)) <= REVERSAL &&
-        found++ == 0) {
-      first = k;
-    }
-  }
-  if (found) {
-    ph_warn(t->result, first, PH_W_REVERSAL,
-            "the data turn back by 180 degrees at points[%zu] (such points: "
-            "%zu): of many tangents one was taken",
-            first, found);
-  }
-}
 
 static void report(const struct task *t) {
   struct ph_diagnostics *d = &t->result->diagnostics;
@@ -517,7 +522,7 @@ static void report(const struct task *t) {
             t->first_unsatisfied, t->tried, t->why, t->unsatisfied);
   }
   if (t->points.estimated) {
-    warn_reversals(t);
+    ph_spatial_warn_reversals(&t->points, t->result);
   }
 }
 

@@ -396,18 +396,16 @@ struct ph_spatial_points {
   ph_vec3 *tangents;    /* [points_n], unit */
   double *speeds;       /* [points_n] |derivative|, or NULL */
   double *knots;        /* [n + 1] */
-  double *lambda;  /* [n] |Di| and |Df| at tension 1, from knots that are given,
-                      else NULL: the chords */
-  double *tension; /* [n] initial s, or NULL: everywhere */
-  double same;     /* this */
-  double *alpha;   /* [n]; NULL: 0, or to be chosen */
+  double *lambda;       /* [n] |Di| and |Df| at tension 1; NULL: the chords */
+  double *tension;      /* [n] initial s, or NULL: everywhere */
+  double same;          /* this */
+  double *alpha;        /* [n]; NULL: 0, or to be chosen */
 };
 
 /*
  * ph_spatial_points_of: reads and checks a problem.
  *
- * in   keep   memory of the knots
- * in   arena  of all else
+ * in   keep  memory of the knots; arena  of all else
  * ret  PH_OK | PH_E_TOO_FEW_POINTS | PH_E_COINCIDENT_POINTS | PH_E_BAD_SHAPE |
  *      PH_E_BAD_VALUE | PH_E_ZERO_TANGENT | PH_E_TOO_LARGE | PH_E_NO_MEMORY
  */
@@ -416,6 +414,11 @@ enum ph_status ph_spatial_points_of(const struct ph_problem *problem,
                                     struct ph_arena *arena,
                                     struct ph_spatial_points *points,
                                     struct ph_diag *diag);
+
+/* ph_spatial_warn_reversals: where the data turn back, of tangents that were
+ * found others are as good. */
+void ph_spatial_warn_reversals(const struct ph_spatial_points *points,
+                               struct ph_result *result);
 
 /*
  * ph_spatial_segment: the data of segment k at unit scale.
