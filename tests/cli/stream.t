@@ -321,7 +321,7 @@ else
   }
   heavy planar 2 69
   heavy spatial-hermite 3 65
-  heavy tc 2 124
+  heavy tc 2 119
   # of 14.5 MB, smooth: a point has 33 bytes (with joints twice, workspaces and
   # points kept beside the curve, and certificates by arrays 6.6, 11.3)
   awk 'BEGIN {

@@ -188,30 +188,35 @@ static bool continued(struct ph_g2_system *s, double *y,
 /* ---- all ------------------------------------------------------------------
  */
 
+/* Beside the angles. */
 static bool alloc_state(struct ph_g2_state *at, const struct ph_g2_chain *c,
                         struct ph_arena *arena) {
-  double *v = ph_arena_array(arena, c->nodes_n, 4 * sizeof *v);
+  double *v = ph_arena_array(arena, c->nodes_n, 2 * sizeof *v);
   at->ends = ph_arena_array(arena, c->n, sizeof *at->ends);
   at->sum = ph_arena_array(arena, c->nodes_n / PH_G2_PART + 1, sizeof *at->sum);
   if (!v || !at->ends || !at->sum) {
     return false;
   }
   at->y = v;
-  at->before = v + c->nodes_n;
-  at->after = v + 2 * c->nodes_n;
-  at->rate = v + 3 * c->nodes_n;
+  at->rate = v + c->nodes_n;
   return true;
+}
+
+static bool alloc_angles(struct ph_g2_state *at, const struct ph_g2_chain *c,
+                         struct ph_arena *arena) {
+  at->before = ph_arena_array(arena, c->nodes_n, sizeof *at->before);
+  at->after = ph_arena_array(arena, c->nodes_n, sizeof *at->after);
+  return at->before && at->after;
 }
 
 static bool alloc_system(struct ph_g2_system *s, struct ph_arena *arena) {
   const struct ph_g2_chain *c = s->chain;
   const size_t nodes = c->nodes_n;
-  s->turn = ph_arena_array(arena, nodes, sizeof *s->turn);
   s->last = ph_arena_array(arena, nodes, sizeof *s->last);
   s->log_length = ph_arena_array(arena, c->n, sizeof *s->log_length);
   s->kind = ph_arena_array(arena, nodes, sizeof *s->kind);
   s->x = ph_arena_array(arena, nodes, sizeof *s->x);
-  return s->turn && s->last && s->log_length && s->kind && s->x &&
+  return s->last && s->log_length && s->kind && s->x &&
          alloc_state(&s->now, c, arena) && ph_tri_alloc(&s->tri, arena, nodes);
 }
 
@@ -271,7 +276,7 @@ static enum ph_status solve_block(struct ph_g2_system *s, size_t first,
   enum ph_status status;
   if (!ph_g2_system_part(s, (first + nodes - before) % nodes,
                          before + n + after - 1, arena, &part) ||
-      !alloc_system(&own, arena)) {
+      !alloc_angles(&own.now, &part, arena) || !alloc_system(&own, arena)) {
     return PH_E_NO_MEMORY;
   }
   ph_g2_system_begin(&own);
@@ -412,6 +417,19 @@ static bool smooth_ends(struct ph_g2_system *s, const struct ph_arena *arena) {
          newton(s, NEWTON_MAX, HALVINGS_MAX, arena);
 }
 
+/* The angles of the state become those of the spans, where they stand. */
+static void take_angles(const struct ph_g2_chain *c,
+                        const struct ph_g2_state *at,
+                        struct ph_g2_solution *solution) {
+  const double first = at->before[0];
+  solution->a = at->after;
+  solution->b = at->before;
+  for (size_t i = 0; i < c->n; i++) {
+    const size_t next = ph_g2_next(c, i);
+    solution->b[i] = next > 0 ? at->before[next] : first;
+  }
+}
+
 /* The angles of the chain, from the system of its turns. */
 static enum ph_status solve_system(struct ph_g2_system *s, enum ph_g2_rule rule,
                                    struct ph_arena *arena,
@@ -434,10 +452,7 @@ static enum ph_status solve_system(struct ph_g2_system *s, enum ph_g2_rule rule,
     return ph_fail(diag, PH_E_NO_CONVERGENCE, "ends",
                    "is smooth, for which no curve was found");
   }
-  for (size_t i = 0; i < chain->n; i++) {
-    solution->a[i] = s->now.after[i];
-    solution->b[i] = s->now.before[ph_g2_next(chain, i)];
-  }
+  take_angles(chain, &s->now, solution);
   solution->iterations = s->iterations;
   solution->residual = s->now.largest;
   return PH_OK;
@@ -453,9 +468,7 @@ enum ph_status ph_g2_solve(const struct ph_g2_chain *chain,
                            .smooth = {(double)NAN, (double)NAN}};
   struct ph_mark mark;
   enum ph_status status;
-  solution->a = ph_arena_array(arena, chain->n, sizeof *solution->a);
-  solution->b = ph_arena_array(arena, chain->n, sizeof *solution->b);
-  if (!solution->a || !solution->b) {
+  if (!alloc_angles(&s.now, chain, arena)) {
     return ph_fail_memory(diag);
   }
   mark = ph_arena_mark(arena);

@@ -64,15 +64,19 @@ static bool begin_some(void *context, size_t thread, size_t first, size_t end) {
   }
   for (size_t k = first; k < end; k++) {
     s->kind[k] = (unsigned char)kind_of(c, k);
-    s->turn[k] = c->node[k].sign < 0 ? -c->node[k].turn : c->node[k].turn;
   }
   return true;
+}
+
+/* The turn in the sense of the node. */
+static inline double turn_at(const struct ph_g2_chain *c, size_t k) {
+  return c->node[k].sign < 0 ? -c->node[k].turn : c->node[k].turn;
 }
 
 /* The angle before a known node. */
 static double known_angle(const struct ph_g2_system *s, size_t k) {
   return s->chain->node[k].inner && before(s->chain, k)->form != PH_G2_LINE
-             ? s->turn[k]
+             ? turn_at(s->chain, k)
              : 0;
 }
 
@@ -125,15 +129,15 @@ static const double OF_OTHER = 0.2, LEAST = 1e-14;
 /* The angle before node k where the iteration begins. */
 static double first_angle(const struct ph_g2_system *s, size_t k, bool halves) {
   return s->kind[k] == PH_G2_KNOWN ? known_angle(s, k)
-         : halves                  ? s->turn[k] / 2
-                                   : circle_angle(s->chain, k, s->turn[k]);
+         : halves                  ? turn_at(s->chain, k) / 2
+                  : circle_angle(s->chain, k, turn_at(s->chain, k));
 }
 
 /* The unknown of node k. */
 static double first_unknown(const struct ph_g2_system *s, size_t k,
                             bool halves) {
   const struct ph_g2_chain *c = s->chain;
-  const double b = first_angle(s, k, halves), a = s->turn[k] - b;
+  const double b = first_angle(s, k, halves), a = turn_at(s->chain, k) - b;
   double beyond = 0;
   if (s->kind[k] == PH_G2_OF_BEFORE) {
     const size_t next = ph_g2_next(c, k);
@@ -142,8 +146,9 @@ static double first_unknown(const struct ph_g2_system *s, size_t k,
   }
   if (s->kind[k] == PH_G2_OF_AFTER) {
     const size_t last = ph_g2_before(c, k);
-    beyond =
-        c->node[last].inner ? s->turn[last] - first_angle(s, last, halves) : 0;
+    beyond = c->node[last].inner
+                 ? turn_at(s->chain, last) - first_angle(s, last, halves)
+                 : 0;
     return log(fmax(fmax(a, OF_OTHER * beyond), LEAST));
   }
   return s->kind[k] == PH_G2_SHARED
@@ -187,7 +192,7 @@ static bool set_angles(void *context, size_t thread, size_t first, size_t end) {
   const struct ph_g2_state *at = &s->now;
   (void)thread;
   for (size_t k = first; k < end; k++) {
-    double phi = s->h * s->turn[k], y = at->y[k], e, b, rate;
+    double phi = s->h * turn_at(s->chain, k), y = at->y[k], e, b, rate;
     switch (s->kind[k]) {
     case PH_G2_SHARED:
       e = exp(-fabs(y));
@@ -238,12 +243,12 @@ static double end_angle(const struct ph_g2_system *s, size_t end) {
   const struct ph_g2_state *at = &s->now;
   double slope;
   if (c->given[end]) {
-    return s->h * s->turn[end * c->n];
+    return s->h * turn_at(s->chain, end * c->n);
   }
   if (!isnan(s->smooth[end])) {
     return s->h * s->smooth[end];
   }
-  return end_rule(c->n == 1  ? s->h * s->turn[1 - end]
+  return end_rule(c->n == 1  ? s->h * turn_at(s->chain, 1 - end)
                   : end == 0 ? at->before[1]
                              : at->after[c->n - 1],
                   &slope);

@@ -50,7 +50,6 @@ struct ph_g2_system {
   double h;                     /* continuation */
   double smooth[2];             /* angles at the ends; NaN where the rule is */
   unsigned char *kind;          /* [nodes] enum ph_g2_kind */
-  double *turn;                 /* [nodes] in the sense of the node */
   double *log_length;           /* [n] */
   ph_cplx *x;                   /* [nodes] the step, in its real parts */
   double *last;                 /* [nodes] unknowns that it begins at */
