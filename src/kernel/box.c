@@ -202,10 +202,15 @@ static void move(struct search *s) {
   }
 }
 
+static bool is_spent(const struct search *s) {
+  size_t most = s->box->evaluations_max;
+  return most > 0 && s->report->evaluations >= most;
+}
+
 static enum ph_status run(struct search *s) {
   int small = 0;
   bool polishing = false; /* small gains after the memory was emptied */
-  for (size_t i = 0; i < s->box->steps_max; i++) {
+  for (size_t i = 0; i < s->box->steps_max && !is_spent(s); i++) {
     double gain;
     enum ph_status status;
     fix(s);

@@ -21,6 +21,7 @@ struct ph_box {
   const double *lower, *upper; /* [n], lower <= upper */
   double decrease;             /* steps that gain no more than this are few */
   size_t steps_max;
+  size_t evaluations_max; /* no step begins after so many; 0: any does */
   void *context;
   /* value: of the function at x; not finite where there is none.  Another
    * status than PH_OK ends the search. */

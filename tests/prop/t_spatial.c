@@ -257,6 +257,57 @@ PH_TEST_EACH(test_motion, COUNT(changes)) {
   }
 }
 
+/* ---- the fairest ------------------------------------------------------ */
+
+/* A problem whose members are looked for, for some time. */
+static void fairest(struct unit_random *r, enum spatial_family family) {
+  static const char *const criteria[] = {"F1", "F2", "F3"};
+  spatial_of(r, family, 4, &data);
+  data.criterion = criteria[unit_random_below(r, COUNT(criteria))];
+  data.has_angles = false;
+  data.shape = "true";
+}
+
+/* Scaled by any power of two, not a digit differs, of no family and however
+ * long the search was. */
+PH_TEST(test_fairest_power_of_two) {
+  struct unit_random r = unit_random_of(15);
+  for (size_t i = 0; i < unit_cases(40); i++) {
+    struct motion m = REST;
+    fairest(&r, (enum spatial_family)unit_random_below(&r, SPATIAL_FAMILY_N));
+    m.scale = ldexp(1, (int)unit_random_below(&r, 61) - 30);
+    move_data(&m);
+    if (solve_both(i)) {
+      ck_moved(&m, 0);
+    }
+  }
+}
+
+/* By another number, the search goes the same way nearly always: what it does
+ * depends on few digits of the data.  With derivatives, a torsion at an end
+ * that decides may be rounding for many tensions. */
+PH_TEST(test_fairest_scaled) {
+  struct unit_random r = unit_random_of(16);
+  size_t n = 0, differ = 0;
+  for (size_t i = 0; i < unit_cases(40); i++) {
+    struct motion m = REST;
+    do {
+      fairest(&r, regular[unit_random_below(&r, REGULAR_N)]);
+    } while (data.given == SPATIAL_DERIVATIVES);
+    scale(&r, &m);
+    move_data(&m);
+    if (!solve_both(i)) {
+      continue;
+    }
+    for (size_t k = 0; k < one.result.curve.n; k++) {
+      n++;
+      differ += !(segments_apart(&m, k, k) <= SAME);
+    }
+  }
+  ck_assert_msg(50 * differ <= n, "PH_SEED=%lu: %zu of %zu segments differ",
+                unit_seed(), differ, n);
+}
+
 /* Points of 20 binary digits after the point, moved by as many before it: the
  * chords do not change, and so do lengths and tensions; control points are
  * rounded elsewhere. */

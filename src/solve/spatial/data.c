@@ -237,6 +237,17 @@ double ph_spatial_segment(const struct ph_spatial_points *p, size_t k,
   return root;
 }
 
+double ph_spatial_double(struct ph_spatial_data *data) {
+  if (!(largest_of(data->dp) < 0.25)) {
+    return 1;
+  }
+  data->dp = ph_vec3_scale(2, data->dp);
+  data->noise *= 2;
+  data->ni *= 2;
+  data->nf *= 2;
+  return 2;
+}
+
 /* The directions of a segment, and how far each may be out of the plane of all
  * data. */
 struct directions {

@@ -5,6 +5,7 @@
 #include "kernel/pi.h"
 
 #include <float.h>
+#include <limits.h>
 
 /* Tangents nearer than this to parallel or opposite count as such. */
 static const double PARALLEL = 1e-13;
@@ -41,6 +42,12 @@ static const double SHORT = 0.1;
 /* A vector d is 0 where it is so many times the rounding of its terms: its root
  * would be rounding of half the digits. */
 static const double VANISHES = 4 * DBL_EPSILON;
+
+/* Binary digits of rounded invariants: an error of 1e-11, beside 1e-8 that a
+ * minimum is known to; of components, which others cancel in, not so many after
+ * the point.  Where one falls on the boundary of two, 1 of 10^5 times, rounding
+ * shows. */
+enum { BITS = 36, PLACE = 44 };
 
 /* A vector this near to opposite to the axis has no angle. */
 static const double OPPOSITE = 1e-7;
@@ -157,29 +164,66 @@ double ph_spatial_flatness(const struct ph_spatial_data *data) {
   return noise_of(data) + data->planarity * ph_vec3_abs(data->dp);
 }
 
+/* What depends on |Di| and |Df|, and on psi. */
+static void set_speeds(struct ph_spatial_family *f, double ni, double nf) {
+  f->half[0] = sqrt(0.5 * (1 + f->c));
+  f->half[1] = 0.5 * f->s / f->half[0];
+  f->ni = ni;
+  f->nf = nf;
+  f->root[0] = sqrt(ni);
+  f->root[1] = sqrt(nf);
+  f->m = f->root[0] * f->root[1];
+  f->sum = ph_vec3_of(f->c * (ni + nf), f->s * (nf - ni), 0);
+}
+
 struct ph_spatial_family
 ph_spatial_family_of(const struct ph_spatial_data *data,
                      const struct ph_atph *space) {
   struct ph_spatial_family f;
   f.h = ph_vec3_abs(data->dp);
   set_frame(&f, data);
-  f.half[0] = sqrt(0.5 * (1 + f.c));
-  f.half[1] = 0.5 * f.s / f.half[0];
-  f.ni = data->ni;
-  f.nf = data->nf;
-  f.root[0] = sqrt(data->ni);
-  f.root[1] = sqrt(data->nf);
-  f.m = f.root[0] * f.root[1];
   f.dp = ph_vec3_of(ph_vec3_dot(data->dp, f.axis[0]),
                     ph_vec3_dot(data->dp, f.axis[1]),
                     ph_vec3_dot(data->dp, f.axis[2]));
-  f.sum = ph_vec3_of(f.c * (f.ni + f.nf), f.s * (f.nf - f.ni), 0);
+  set_speeds(&f, data->ni, data->nf);
   f.noise = noise_of(data);
   f.flatness = ph_spatial_flatness(data);
   f.planar = f.s * fabs(f.dp.z) <= f.noise;
   set_plane(&f, data);
   ph_spatial_family_space(&f, space);
   return f;
+}
+
+/* x in BITS binary digits, but to no more than `place' of them after the
+ * point. */
+static double rounded(double x, int place) {
+  int exponent;
+  double digits = frexp(x, &exponent);
+  int after = BITS - exponent < place ? BITS - exponent : place;
+  return ldexp(nearbyint(ldexp(digits, exponent + after)), -after);
+}
+
+void ph_spatial_family_round(struct ph_spatial_family *f) {
+  struct ph_atph space = f->space;
+  const double unit = 1 / f->h;
+  if (f->flat) {
+    return;
+  }
+  f->dp =
+      ph_vec3_of(rounded(unit * f->dp.x, PLACE), rounded(unit * f->dp.y, PLACE),
+                 rounded(unit * f->dp.z, PLACE));
+  f->h = ph_vec3_abs(f->dp);
+  f->noise *= unit;
+  f->flatness *= unit;
+  if (f->c > f->s) {
+    f->s = rounded(f->s, PLACE);
+    f->c = sqrt((1 - f->s) * (1 + f->s));
+  } else {
+    f->c = rounded(f->c, PLACE);
+    f->s = sqrt((1 - f->c) * (1 + f->c));
+  }
+  set_speeds(f, rounded(unit * f->ni, INT_MAX), rounded(unit * f->nf, INT_MAX));
+  ph_spatial_family_space(f, &space);
 }
 
 double ph_spatial_length(const struct ph_spatial_family *f, ph_cplx b) {

@@ -28,7 +28,7 @@ static const double MINIMUM = 1e-7;
  * each: beyond the first, which the last whole search may exceed by far, the
  * search at another tension begins with the minima of the last one; it has the
  * second for that, whatever there was before. */
-enum { WORK_WHOLE = 50000, WORK_NEAR = 50000 };
+enum { WORK_WHOLE = 50000, WORK_NEAR = 60000 };
 
 /* Segments that are held together, that a thread takes at once, and that are
  * worth another one: a segment takes a microsecond and more, a thread 20 to
@@ -361,6 +361,7 @@ static void find_segment(const struct task *t, size_t k, struct found *found,
   const double tension = ph_spatial_tension_of(&t->points, k);
   struct ph_spatial_chosen *chosen = &found->chosen;
   chosen->root = ph_spatial_segment(&t->points, k, tension, &found->data);
+  chosen->twice = searches(t) ? ph_spatial_double(&found->data) : 1;
   found->status = fit_segment(t, k, found, diag);
   if (found->status == PH_OK) {
     chosen->fit = &found->best.fit;

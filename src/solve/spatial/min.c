@@ -35,7 +35,10 @@ enum {
   PANELS_MAX = 16,
   ROUGH_STEPS = 60,  /* of one descent */
   COARSE_STEPS = 30, /* by a quadrature that is not fine enough */
-  STEPS_MAX = 100
+  STEPS_MAX = 100,
+  /* Evaluations of a step, on average, beyond which a descent is given up: it
+   * takes 1.3 of a valley, and 30 where what is minimised has an edge. */
+  A_STEP = 4
 };
 
 static const double SMALL = 1e-3;
@@ -73,6 +76,7 @@ static void begin(struct search *s, const struct ph_spatial_search *wanted,
   s->rules = rules;
   s->scratch = scratch;
   s->family = ph_spatial_family_of(wanted->data, &space);
+  ph_spatial_family_round(&s->family);
   s->target = (struct ph_spatial_target){&rules->rule, &s->family,
                                          wanted->scaled, wanted->functional};
   s->panels = GRID_PANELS;
@@ -142,6 +146,7 @@ static enum ph_status descend(struct search *s, double decrease, size_t steps,
                        .upper = upper,
                        .decrease = decrease,
                        .steps_max = steps,
+                       .evaluations_max = A_STEP * steps,
                        .context = s,
                        .value = descent_value,
                        .gradient = descent_gradient,

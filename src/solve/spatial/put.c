@@ -57,7 +57,8 @@ static void put_control_points(const struct ph_spatial_points *p, size_t k,
   ph_vec3_put(end, 3, out + 15);
   for (size_t i = 1; i < 5; i++) {
     const ph_vec3 base = i < 3 ? start : end;
-    ph_vec3 v = rotated(chosen->fit->family.axis, leg[i]);
+    ph_vec3 v = rotated(chosen->fit->family.axis,
+                        ph_vec3_scale(1 / chosen->twice, leg[i]));
     out[3 * i] = base.x + v.x * unit * unit;
     out[3 * i + 1] = base.y + v.y * unit * unit;
     out[3 * i + 2] = base.z + v.z * unit * unit;
@@ -70,7 +71,7 @@ static void put_preimage(const struct ph_spatial_points *p, size_t k,
                          ph_quat *end, double *out) {
   const struct ph_spatial_family *f = &chosen->fit->family;
   ph_quat r = ph_quat_of_frame(f->axis[0], f->axis[1], f->axis[2]);
-  double root = 1 / chosen->root;
+  double root = 1 / (chosen->root * sqrt(chosen->twice));
   ph_cplx gauge;
   for (size_t i = 0; i < 3; i++) {
     a[i] = ph_quat_mul(r, a[i]);
@@ -110,8 +111,10 @@ double ph_spatial_put(const struct ph_spatial_points *p, size_t k,
   missed = miss(f, a, leg);
   put_control_points(p, k, chosen, leg,
                      curve->control_points + ph_curve_stride(curve) * k);
-  length = ph_seg3_length(&f->space, a); /* not below the chord by rounding */
-  curve->lengths[k] = (length > f->h ? length : f->h) * unit * unit;
+  length = ph_seg3_length(&f->space, a);
+  /* not below the chord by rounding */
+  length = (length > f->h ? length : f->h) / chosen->twice;
+  curve->lengths[k] = length * unit * unit;
   put_preimage(p, k, chosen, a, end, curve->preimage.v + 12 * k);
   if (p->atph) {
     curve->preimage.alpha[k] = f->space.angle;

@@ -199,7 +199,9 @@ static double slack_of(const struct ph_spatial_fit *fit) {
   slack = fmin(start_convexity(f, fit->a), end_convexity(f, fit->a));
   if (ph_spatial_is_twisted(f)) {
     ph_spatial_torsion_form(&f->space, fit->a, form);
-    slack = fmin(slack, fmin(sign_of(f) * form[0], sign_of(f) * form[6]));
+    /* as convexity, of the second power of lengths */
+    slack = fmin(
+        slack, fmin(sign_of(f) * form[0] / f->h, sign_of(f) * form[6] / f->h));
   }
   return slack;
 }

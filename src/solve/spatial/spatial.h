@@ -102,6 +102,15 @@ struct ph_spatial_family
 ph_spatial_family_of(const struct ph_spatial_data *data,
                      const struct ph_atph *space);
 
+/*
+ * ph_spatial_family_round: a family whose invariants have few digits, and
+ * whose |dp| is 1: what rounding leaves of the same data moved or scaled does
+ * not show.  Flat data stay as they are, as they may be flat by little.
+ *
+ * Its members are those of the family, by b and phi, nearly.
+ */
+void ph_spatial_family_round(struct ph_spatial_family *family);
+
 /* ph_spatial_is_twisted: whether [ti, dp, tf] = -dp.(ti x tf) has a sign,
  * beyond the flatness; ti x tf is 2 s c gh. */
 static inline bool
@@ -431,12 +440,19 @@ void ph_spatial_warn_reversals(const struct ph_spatial_points *points,
 double ph_spatial_segment(const struct ph_spatial_points *points, size_t k,
                           double tension, struct ph_spatial_data *data);
 
+/* ph_spatial_double: data twice as large where the largest coordinate of dp is
+ * below 1/4.  What is done with them is then the same, to the last digit, for
+ * the user's times any power of two: of ph_spatial_segment, times any of four.
+ * ret  1 | 2 */
+double ph_spatial_double(struct ph_spatial_data *data);
+
 /* ---- the curve ----------------------------------------------------------- */
 
 /* What was chosen for a segment. */
 struct ph_spatial_chosen {
   const struct ph_spatial_fit *fit;
-  double root; /* unit scale = the user's times its square */
+  double root,
+      twice; /* unit scale = the user's times root^2, and twice: 1, 2 */
   double tension;
   double angles[2]; /* as the record has them, NaN: there are none */
 };

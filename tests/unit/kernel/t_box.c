@@ -45,6 +45,7 @@ static void accept(void *context) {
 static struct valley valley;
 static struct ph_box_report report;
 static double x[N];
+static size_t evaluations_max; /* evaluations; 0: no limit */
 
 static enum ph_status run(double upper, size_t steps) {
   double low[N], high[N];
@@ -53,6 +54,7 @@ static enum ph_status run(double upper, size_t steps) {
                        .upper = high,
                        .decrease = 1e-14,
                        .steps_max = steps,
+                       .evaluations_max = evaluations_max,
                        .context = &valley,
                        .value = value,
                        .gradient = gradient,
@@ -108,6 +110,17 @@ PH_TEST(test_refused) {
   ck_assert_int_eq(run(3, 1000), PH_OK);
   ck_assert(!isfinite(report.value) && !report.converged);
   ck_assert_uint_eq(valley.accepted, 0);
+}
+
+/* No step begins after so many evaluations; the last may take 30. */
+PH_TEST(test_evaluations) {
+  valley = (struct valley){.limit = 3};
+  evaluations_max = 20;
+  ck_assert_int_eq(run(3, 1000), PH_OK);
+  evaluations_max = 0;
+  ck_assert(!report.converged && isfinite(report.value));
+  ck_assert_uint_ge(report.evaluations, 20);
+  ck_assert_uint_lt(report.evaluations, 20 + 30);
 }
 
 /* The cap of the steps, and failures of the function, end the search. */
