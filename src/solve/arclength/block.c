@@ -29,11 +29,18 @@ static const double BENT = 0.5, STRAIGHT = 0.1;
 static const double LESS = 0.1, MORE = 4;
 static const double RAISED_LEAST = 2, RAISED_MOST = 16;
 
+/* Points with free or exact lengths have blocks: with measured lengths F comes
+ * out higher by some thousandths, and directions take more steps. */
+static bool has_blocks(const struct ph_arc_system *s) {
+  bool soft = s->data->sigma > 0 && s->form[0] == 0;
+  return s->data->mode == PH_ARC_POINTS && !soft;
+}
+
 bool ph_arc_blocks_alloc(const struct ph_arc_system *s, struct ph_arena *arena,
                          struct ph_arc_blocks *b) {
   size_t width = WIDTH * s->refine * s->dim, size = sizeof(double);
   *b = (struct ph_arc_blocks){.n = s->x_n / width, .width = width};
-  if (b->n < LEAST || s->data->mode != PH_ARC_POINTS || s->data->sigma > 0) {
+  if (b->n < LEAST || !has_blocks(s)) {
     b->n = 0;
     return true;
   }

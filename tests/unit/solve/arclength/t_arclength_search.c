@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Searches for minima of arclength that find none: what one of them knows, the
- * next need not find again.
+ * Searches for minima of arclength: what one that finds none knows, the next
+ * need not find again; and steps to the natural curve of many intervals.
  */
 #include "unit.h"
 
 #include "solve/arclength/arclength.h"
+
+#include <math.h>
 
 enum { N = 3 };
 
@@ -50,4 +52,33 @@ PH_TEST(test_natural_again) {
   ck_assert(ph_arc_search_run(&request, &unit_arena, &again));
   ck_assert_uint_eq(again.natural.steps, 0);
   ck_same(&first, &again);
+}
+
+enum { LONG = 500 };
+
+/* A random walk with measured lengths, of which the natural curve is as that of
+ * free ones: its worst place does not slow all others. */
+PH_TEST(test_natural_long) {
+  static double h[LONG], lengths[LONG], chords[LONG];
+  static ph_vec3 steps[LONG];
+  const struct ph_arc_data walk = {.mode = PH_ARC_POINTS,
+                                   .n = LONG,
+                                   .h = h,
+                                   .length = lengths,
+                                   .sigma = 0.1,
+                                   .chord = chords,
+                                   .step = steps};
+  const struct ph_arc_request request = {
+      .data = &walk, .refine = 2, .dim = 4, .rescue = true, .waves = true};
+  struct ph_arc_search search;
+  struct unit_random r = unit_random_of(1);
+  for (size_t i = 0; i < LONG; i++) {
+    steps[i] = (ph_vec3){unit_random_in(&r, -1, 1), unit_random_in(&r, -1, 1),
+                         unit_random_in(&r, -1, 1)};
+    h[i] = chords[i] = sqrt(ph_vec3_dot(steps[i], steps[i]));
+    lengths[i] = chords[i] * unit_random_in(&r, 1.2, 1.6);
+  }
+  ck_assert(ph_arc_search_run(&request, &unit_arena, &search));
+  ck_assert_uint_eq(search.found_n, 1);
+  ck_assert_uint_lt(search.natural.steps, 80);
 }
