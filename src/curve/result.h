@@ -115,9 +115,8 @@ struct ph_images {
  *      bezier: plain Bezier points, no preimage
  *      tc: Tschirnhausen cubics, degree 3, preimages of degree 1
  *      (curve/segment/tc.h)
- * joined          control_points[n * degree + 1][dimension]: what a segment ends
+ * joined          control_points[n * degree + 1][dimension]: what a segment
  *      ends with is what the next one begins with, and stands there once
- *      (ph_curve_points)
  * knots[n + 1]    global parameter at the joints, increasing
  * lengths[n]      exact arc lengths; length is their sum
  */

@@ -235,7 +235,8 @@ static struct node node_of(const struct tree *t, struct place at) {
   struct node node;
   if (at.level >= STORED) {
     const struct stored *s = &t->node[at.level][at.i];
-    return (struct node){{{s->low[0], s->low[1]}, {s->high[0], s->high[1]}},
+    return (struct node){{{(double)s->low[0], (double)s->low[1]},
+                          {(double)s->high[0], (double)s->high[1]}},
                          s->cone};
   }
   node = leaf(t, k++);
