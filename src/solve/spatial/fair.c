@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Functionals by a fixed quadrature (see spatial.h).
+ * Functionals by a fixed quadrature (see fairest.h).
  *
  * The integrands are (4), (5) and (6) of curve/fair/fair3.c.  Their derivatives
  * are taken backwards: at a node, by what they are made of; summed up over the
@@ -10,7 +10,7 @@
  * The loops over nodes are compiled for each functional (PH_INLINE): gcc takes
  * two nodes at once then.
  */
-#include "solve/spatial/spatial.h"
+#include "solve/spatial/fairest.h"
 
 #include "base/inline.h"
 

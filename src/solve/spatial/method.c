@@ -14,6 +14,7 @@
 #include "curve/segment/seg3.h"
 #include "solve/common/fields.h"
 #include "solve/common/frame.h"
+#include "solve/spatial/fairest.h"
 #include "solve/spatial/spatial.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The fairest members of a family (see spatial.h).
+ * The fairest members of a family (see fairest.h).
  *
  * 1. The functional over phi, for a grid of b and alpha: its local minima, a
  *    little improved.  The valleys are narrow in phi and long in b, so that a
@@ -17,7 +17,7 @@
  * What is descended is log(F + SMALL): F spans many powers of ten, and can have
  * a minimum of 0.
  */
-#include "solve/spatial/spatial.h"
+#include "solve/spatial/fairest.h"
 
 #include "kernel/box.h"
 #include "kernel/pi.h"

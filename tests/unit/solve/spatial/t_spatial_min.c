@@ -4,7 +4,7 @@
 #include "unit.h"
 #include "spatial_unit.h"
 
-#include "solve/spatial/spatial.h"
+#include "solve/spatial/fairest.h"
 
 static const double TURN = 6.283185307179586;
 
