@@ -93,6 +93,8 @@ equal 'cables, 200: the start' '"wiggle"' \
   "$(get diagnostics.start | tr ' ' '\n' | sort -u)"
 family 'walks, 150' walk 150 1.2 0.4
 family 'smooth, free' smooth 150 0 0
+equal 'smooth, free: the start, which needs no help' '"init"' \
+  "$(get diagnostics.start | tr ' ' '\n' | sort -u)"
 family 'cables, measured' smooth 150 1.01 0.02 ',"length_sigma":0.01'
 # One place that nearly is a cusp does not slow all others: long steps were
 # refused everywhere, and no start came to its end.
