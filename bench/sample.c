@@ -379,9 +379,10 @@ int main(int argc, char **argv) {
       table_row(&rows[i]);
     }
   }
-  puts("\n  Target: 5 by --spacing and --chord-error.  On a sphere that is not "
-       "reached by\n  chords: a bound takes 28000 instructions, for 14 "
-       "samples.  "
-       "GSL: not exact,\n  without torsion; its splines are made beforehand.");
+  puts("\n  Target: 5 by --spacing and --chord-error: not reached by chords "
+       "beside "
+       "curves in\n  space and on a sphere, where a bound takes 28000 "
+       "instructions, for 14 samples.\n  GSL: not exact, without torsion; its "
+       "splines are made beforehand.");
   return 0;
 }

@@ -380,6 +380,7 @@ static bool gather(struct ph_check *v, struct ph_curve *c) {
   const size_t n = c->n;
   c->degree = 5;
   c->dimension = 3;
+  c->joined = false;
   c->preimage.n = 3;
   c->preimage.dimension = 4;
   c->knots = ph_arena_array(v->scratch, n + 1, sizeof *c->knots);

@@ -138,7 +138,7 @@ verified() {
 verified 'circular cones' part.json 20
 verified 'a pattern that covers itself' fan.json 10
 verified 'general cones' general.json 10
-lattice "3 * (i - 1) - 2 * (j - 2) + 0.5 * (k - 1) + 8" 'spacings: 1 1 1' \
+lattice "4 * (i - 1) - 2 * (j - 2) + 0.5 * (k - 1) + 7" 'spacings: 1 1 1' \
   'axis mins: -1 -2 -1' 'centerings: node node node' >other.nrrd
 run verify -q --volume=other.nrrd result.json
 equal 'verified: of another volume' '1 "panorama.range"' \
