@@ -387,10 +387,11 @@ pick = $(if $(TESTS),$(filter $(TESTS:.c=) $(addprefix %/,$(TESTS:.c=)),$1),$1)
 
 tests-build: all $(TOOLS) $(call pick,$(filter-out --%,$(UNIT_WANTED)))
 
-# what a compiler says of the tests, without its code: a tenth of the time
+# what a compiler says of tests and benchmarks, without code: a tenth of the time
 tests-syntax: $(B)/libraries
 	$(Q)$(COMPILE) -I$(S)tests/unit -Wno-double-promotion $(CHECK_CFLAGS) \
-	  -fsyntax-only $(addprefix $(S),$(UNIT_SRC) $(TOOL_SRC))
+	  -fsyntax-only $(addprefix $(S),$(UNIT_SRC) $(TOOL_SRC) \
+	  $(filter-out %_ipopt.c,$(BENCH_SRC)))
 
 check: ## unit and command line tests, quick lints (or TESTS=FILE...)
 	$(need)

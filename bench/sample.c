@@ -89,7 +89,7 @@ static struct work work_of(const struct row *row) {
   double v[3 * NODES], alpha = 0.5, error;
   struct work w = {.length = 0};
   struct ph_problem problem = {{{0}}};
-  struct ph_arena scratch = {NULL};
+  struct ph_arena scratch = {0};
   struct ph_result result;
   struct ph_diag diag;
   memset(&result, 0, sizeof result);

@@ -8,7 +8,7 @@
  */
 #include "spatial.h"
 
-#include "solve/spatial/spatial.h"
+#include "solve/spatial/fairest.h"
 
 #include <gsl/gsl_errno.h>
 

@@ -89,7 +89,7 @@ static void run(struct work *w, int round) {
                                         .crosses = w->crosses,
                                         .both = w->crosses,
                                         .tolerance = 1e-9};
-  struct ph_arena arena = {NULL};
+  struct ph_arena arena = {0};
   double at[3];
   w->offset = (struct ph_offset){.distance = w->distance, .dimension = 2};
   at[0] = bench_cpu();
