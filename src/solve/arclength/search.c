@@ -2,50 +2,13 @@
 /* Starts and minima of arclength (see arclength.h). */
 #include "solve/arclength/arclength.h"
 
+#include "solve/arclength/engine.h"
+
 #include <math.h>
 #include <string.h>
 
-/* Newton steps of a start: where something else is to be tried after it, which
- * is better at what is far off; and of one that is near, or the last resort. */
-enum { STEPS_FIRST = 40, STEPS = 150, STEPS_AFTER = 300 };
-
-/* With blocks the first leads to a minimum as a rule, of 1000 in 60 to 130. */
-enum { STEPS_LONG = 100 };
-
-/* Whole steps from a curve that crept, whose rows hold to this. */
-enum { STEPS_WHOLE = 30 };
-static const double CREPT = 1e-4;
-
 /* Of all starts with one number of segments, no other is begun after. */
 enum { STEPS_ALL = 1500 };
-
-/* Steps of an augmented Lagrangian, its last weight and what an inner step may
- * gain of F. */
-enum { ROUGH_STEPS = 250 };
-static const double RHO_MAX = 1e8, INNER_F = 1e-8;
-
-/* The residuals that it ends with, and what an inner step may gain of the
- * penalty: it brings the curve near a minimum, from where Newton's method needs
- * fewer steps, which cost less.  Five free walks of 500 take 36 and 84 in mean;
- * with .1 53 and 59, with 1 12 and 119; with 1e-2 18, with 1e-4 43. */
-static const double ROUGH = 0.3, CREEPS = 1e-3;
-/* The same before blocks, which want the rows: eight free walks of 1000 take 23
- * and 43 in mean, with .3 and 1e-3 42 and 54, and F is .2 % higher. */
-static const double ROUGH_BLOCKS = 0.1, CREEPS_BLOCKS = 0.03;
-
-/* Residuals of a curve that is good enough to begin with, or to go on from:
- * with 1e-4 one of five cables of 500 needs another start, with 1e-2 none is
- * better.
- */
-static const double NEAR = 1e-3;
-
-/* Rows that miss no more where no step was taken are those of data whose chords
- * turn little, from where Newton's method needs no help: of smooth curves of
- * 100 to 1000 intervals they miss .002 to .04, of random walks 1.3 to 1.8. */
-static const double SMOOTH = 0.1;
-
-/* Rows that hold to this are those of a curve near a minimum. */
-static const double HELD = 1e-7;
 
 /* Minima of F nearer than this are one. */
 static const double SAME = 1e-7;
@@ -121,153 +84,11 @@ static const struct kind random_kinds[] = {
     {"random", USE_RESCUE, ORIGIN_INIT, 0, 0, 0, 1, 0},
 };
 
-/* ---- iterations ---------------------------------------------------------- */
-
-/* What solves a system. */
-struct engine {
-  const struct ph_arc_system *s;
-  struct ph_arena *arena;
-  struct ph_arc_newton work;
-  struct ph_arc_point point;  /* of the current start */
-  struct ph_arc_point crept;  /* where it ended, before whole steps */
-  bool last;                  /* nothing is tried after its starts */
-  bool saddles;               /* what is stationary will do */
-  struct ph_arc_system white; /* the same equations, rows whitened */
-  struct ph_arc_work rough;   /* for what comes before Newton's method */
-  double *rough_y;            /* [y_n] of the whitened rows; NULL: not yet */
-};
-
-static bool engine_of(const struct ph_arc_system *s, struct ph_arena *arena,
-                      struct engine *e) {
-  *e = (struct engine){.s = s, .arena = arena};
-  return ph_arc_newton_alloc(s, arena, &e->work) &&
-         ph_arc_point_alloc(s, arena, &e->point) &&
-         ph_arc_point_alloc(s, arena, &e->crept);
-}
-
-/* Whitened rows and an augmented Lagrangian, where they are needed. */
-static bool need_rough(struct engine *e) {
-  if (e->rough_y) {
-    return true;
-  }
-  e->white = *e->s;
-  e->rough_y = ph_arena_array(e->arena, e->s->y_n, sizeof *e->rough_y);
-  return e->rough_y && ph_arc_whiten(&e->white, e->arena) &&
-         ph_arc_work_alloc(e->s, e->arena, &e->rough);
-}
-
-/* Whitened rows prove a minimum where the plain ones are too nearly dependent.
- */
-static void judge_white(struct engine *e) {
-  struct ph_arc_point *p = &e->point;
-  if (p->converged && !p->minimiser && e->white.white) {
-    ph_arc_whitened(&e->white, p->y, e->rough_y);
-    p->minimiser = ph_arc_is_minimum(&e->white, &e->work, p->x, e->rough_y);
-  }
-}
-
-/* Where the search creeps along a valley there may be a minimum at its end,
- * beyond what each single step may lose; another start, where there is one,
- * leads as a rule to a lower one. */
-static void leave_valley(struct engine *e) {
-  struct ph_arc_point *p = &e->point;
-  if (!e->last || p->converged || !(p->residual <= CREPT)) {
-    return;
-  }
-  ph_arc_point_copy(e->s, p, &e->crept);
-  ph_arc_newton_plain(e->s, &e->work, STEPS_WHOLE, p);
-  if (!(p->minimiser || (p->converged && e->saddles))) {
-    ph_arc_point_copy(e->s, &e->crept, p);
-  }
-}
-
-/* An augmented Lagrangian with this rho from e->point, for which there is
- * memory. */
-static void penalise(struct engine *e, double rho) {
-  struct ph_arc_point *p = &e->point;
-  bool blocks = e->work.blocks.n > 0;
-  struct ph_arc_penalty_options options = {
-      .rho = rho,
-      .rho_max = RHO_MAX,
-      .tolerance = blocks ? ROUGH_BLOCKS : ROUGH,
-      .inner = INNER_F,
-      .iterations = ROUGH_STEPS,
-      .creeps = blocks ? CREEPS_BLOCKS : CREEPS};
-  struct ph_arc_penalty_report report;
-  ph_arc_whitened(&e->white, p->y, e->rough_y);
-  ph_arc_penalty(&e->white, &options, &e->rough, p->x, e->rough_y, &report);
-  p->iterations += report.iterations;
-  ph_arc_plain(&e->white, e->rough_y, p->y);
-}
-
-/* From e->point, whose multipliers are set to 0: an augmented Lagrangian with
- * this rho, if that is not 0, then Newton's method.  false: no memory */
-static bool iterate(struct engine *e, double rho, size_t steps) {
-  struct ph_arc_point *p = &e->point;
-  p->iterations = 0;
-  p->converged = p->minimiser = false;
-  memset(p->y, 0, e->s->y_n * sizeof *p->y);
-  ph_arc_blocks_begin(&e->work.blocks);
-  if (rho > 0) {
-    if (!need_rough(e)) {
-      return false;
-    }
-    penalise(e, rho);
-  }
-  ph_arc_newton_solve(e->s, &e->work, steps, p);
-  leave_valley(e);
-  if (rho > 0) {
-    judge_white(e);
-  }
-  return true;
-}
-
-/* Whether the rows nearly hold where an iteration is to begin. */
-static bool is_smooth(const struct engine *e, const double *x) {
-  double *c = e->work.c;
-  bool smooth = true;
-  ph_arc_residual(e->s, x, c);
-  for (size_t r = 0; r < e->s->y_n && smooth; r++) {
-    smooth = fabs(c[r]) <= SMOOTH;
-  }
-  return smooth;
-}
-
-/* Steps of a start after which there are others. */
-static size_t first_steps(const struct engine *e) {
-  return e->work.blocks.n > 0 ? STEPS_LONG : STEPS_FIRST;
-}
-
-/* Where Newton's method ended with rows that nearly hold, as of many intervals,
- * it goes on.  Where it crept, with one shift for the whole curve, windows go
- * on from there with the multipliers that it found.  Where rows do not hold yet
- * the curve is far from its minimum, and a new start finds a lower one. false:
- * no memory */
-static bool go_on(struct engine *e, double rho) {
-  struct ph_arc_point *p = &e->point;
-  if (!p->converged && p->residual <= NEAR) {
-    ph_arc_newton_solve(e->s, &e->work, STEPS - first_steps(e), p);
-  }
-  if (p->converged || !(p->residual <= HELD)) {
-    return true;
-  }
-  if (!need_rough(e)) {
-    return false;
-  }
-  if (e->rough.windows.n > 0) {
-    penalise(e, rho);
-    ph_arc_blocks_begin(&e->work.blocks);
-    ph_arc_newton_solve(e->s, &e->work, STEPS_AFTER, p);
-    judge_white(e);
-  }
-  return true;
-}
-
 struct run {
   const struct ph_arc_request *request;
   struct ph_arena *arena;
   struct ph_arc_search *search;
-  struct engine engine;
+  struct ph_arc_engine engine;
   bool single;    /* see USE_SINGLE */
   bool near;      /* see USE_NEAR */
   bool smooth;    /* the rows nearly hold at init */
@@ -284,13 +105,16 @@ struct run {
 static const struct {
   double rho, wave;
   size_t steps;
-} natural_kinds[] = {
-    {0, 0, 0},        {100, 0, STEPS_AFTER}, {1e4, 0, STEPS_AFTER},
-    {0, 0.02, STEPS}, {0, 0.1, STEPS},       {0, 0.3, STEPS}};
+} natural_kinds[] = {{0, 0, 0},
+                     {100, 0, PH_ARC_STEPS_AFTER},
+                     {1e4, 0, PH_ARC_STEPS_AFTER},
+                     {0, 0.02, PH_ARC_STEPS},
+                     {0, 0.1, PH_ARC_STEPS},
+                     {0, 0.3, PH_ARC_STEPS}};
 enum { NATURAL_KINDS = sizeof natural_kinds / sizeof natural_kinds[0] };
 
 /* Keeps the curve of a system whose lengths are free. */
-static void set_natural(const struct engine *e,
+static void set_natural(const struct ph_arc_engine *e,
                         struct ph_arc_natural *natural) {
   const struct ph_arc_point *p = &e->point;
   natural->known = p->minimiser;
@@ -303,7 +127,7 @@ static void set_natural(const struct engine *e,
 /* From where the rows begin; from a saddle, or nowhere, random waves lead away.
  * Where none leads to a minimum the curve is what comes nearest to one.
  * false: no memory. */
-static bool solve_natural(struct ph_arc_system *s, struct engine *e,
+static bool solve_natural(struct ph_arc_system *s, struct ph_arc_engine *e,
                           struct ph_arc_natural *natural) {
   uint64_t state = 0;
   size_t steps = 0, first = 0;
@@ -314,13 +138,15 @@ static bool solve_natural(struct ph_arc_system *s, struct engine *e,
     if (!ph_arc_start(s, e->arena, e->point.x)) {
       return false;
     }
-    if (k == 0 && e->work.blocks.n > 0 && !is_smooth(e, e->point.x)) {
+    if (k == 0 && e->work.blocks.n > 0 &&
+        !ph_arc_engine_is_smooth(e, e->point.x)) {
       first = 1;
     }
     at = (k + first) % NATURAL_KINDS;
     ph_arc_perturb(s, natural_kinds[at].wave, &state, e->point.x);
-    if (!iterate(e, natural_kinds[at].rho,
-                 at > 0 ? natural_kinds[at].steps : first_steps(e))) {
+    if (!ph_arc_engine_iterate(e, natural_kinds[at].rho,
+                               at > 0 ? natural_kinds[at].steps
+                                      : ph_arc_engine_first_steps(e))) {
       return false;
     }
     steps += e->point.iterations;
@@ -337,7 +163,7 @@ static bool find_natural(const struct ph_arc_request *request,
                          struct ph_arc_natural *natural) {
   const struct ph_arc_data *d = request->data;
   struct ph_arc_system s;
-  struct engine engine;
+  struct ph_arc_engine engine;
   struct ph_mark mark;
   bool ok;
   natural->length = ph_arena_array(arena, d->n, sizeof(double));
@@ -348,7 +174,8 @@ static bool find_natural(const struct ph_arc_request *request,
   }
   mark = ph_arena_mark(arena);
   ok = ph_arc_system_of(d, request->refine, request->dim, false, arena, &s) &&
-       engine_of(&s, arena, &engine) && solve_natural(&s, &engine, natural);
+       ph_arc_engine_of(&s, arena, &engine) &&
+       solve_natural(&s, &engine, natural);
   ph_arena_release(arena, mark);
   return ok;
 }
@@ -489,16 +316,17 @@ static bool note(struct run *run, const char *name) {
 
 /* Tries a start; false: no memory, or no time. */
 static bool try_start(struct run *run, const struct kind *kind) {
-  size_t steps = kind->rho > 0                   ? STEPS_AFTER
-                 : run->single || kind->wave > 0 ? STEPS
-                                                 : first_steps(&run->engine);
+  size_t steps = kind->rho > 0 ? PH_ARC_STEPS_AFTER
+                 : run->single || kind->wave > 0
+                     ? PH_ARC_STEPS
+                     : ph_arc_engine_first_steps(&run->engine);
   if (ph_arena_late(run->arena)) {
     return false;
   }
   begin(run, kind);
   run->search->starts_n++;
-  return iterate(&run->engine, kind->rho, steps) &&
-         (!(kind->more > 0) || go_on(&run->engine, kind->more)) &&
+  return ph_arc_engine_iterate(&run->engine, kind->rho, steps) &&
+         (!(kind->more > 0) || ph_arc_engine_go_on(&run->engine, kind->more)) &&
          note(run, kind->name);
 }
 
@@ -507,7 +335,7 @@ static bool try_start(struct run *run, const struct kind *kind) {
 /* Whether there is what a start begins with. */
 static bool has_origin(const struct run *run, const struct kind *kind) {
   const struct ph_arc_search *search = run->search;
-  bool natural = search->natural.residual <= NEAR;
+  bool natural = search->natural.residual <= PH_ARC_NEAR;
   switch (kind->origin) {
   case ORIGIN_INIT:
     return true;
@@ -581,7 +409,7 @@ static bool allocate(struct run *run) {
   search->found = ph_arena_array(run->arena, most, sizeof *search->found);
   run->init = ph_arena_array(run->arena, s->x_n, sizeof *run->init);
   return search->starts && search->found && run->init &&
-         engine_of(s, run->arena, &run->engine) &&
+         ph_arc_engine_of(s, run->arena, &run->engine) &&
          ph_arc_point_alloc(s, run->arena, &search->nearest) &&
          ph_arc_point_alloc(s, run->arena, &search->saddle.point);
 }
@@ -621,6 +449,6 @@ bool ph_arc_search_run(const struct ph_arc_request *request,
   if (!ph_arc_start(s, arena, run.init)) {
     return false;
   }
-  run.smooth = is_smooth(&run.engine, run.init);
+  run.smooth = ph_arc_engine_is_smooth(&run.engine, run.init);
   return try_kinds(&run);
 }
