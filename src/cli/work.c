@@ -131,14 +131,21 @@ static void warn_corners(struct ph_result *r) {
   }
 }
 
-/* Every curve that will be written. */
-static enum ph_status certify(struct task *t) {
+/* Does something for every curve that will be written. */
+static enum ph_status
+for_each_curve(struct task *t,
+               enum ph_status (*what)(struct task *, const struct ph_curve *,
+                                      struct ph_diagnostics *)) {
   struct ph_result *r = &t->result;
-  enum ph_status status = certify_curve(t, &r->curve, &r->diagnostics);
+  enum ph_status status = what(t, &r->curve, &r->diagnostics);
   for (size_t i = 0; status == PH_OK && i < r->solutions_n; i++) {
-    status =
-        certify_curve(t, &r->solutions[i].curve, &r->solutions[i].diagnostics);
+    status = what(t, &r->solutions[i].curve, &r->solutions[i].diagnostics);
   }
+  return status;
+}
+
+static enum ph_status certify(struct task *t) {
+  enum ph_status status = for_each_curve(t, certify_curve);
   if (status == PH_E_NO_CONVERGENCE || status == PH_E_TOO_LARGE) {
     status = ph_near_points(&t->problem, &t->diag);
     ph_merge_tell(&t->merge, &t->diag);
@@ -147,14 +154,9 @@ static enum ph_status certify(struct task *t) {
 }
 
 static enum ph_status describe(struct task *t) {
-  struct ph_result *r = &t->result;
-  enum ph_status status = describe_curve(t, &r->curve, &r->diagnostics);
-  for (size_t i = 0; status == PH_OK && i < r->solutions_n; i++) {
-    status =
-        describe_curve(t, &r->solutions[i].curve, &r->solutions[i].diagnostics);
-  }
+  enum ph_status status = for_each_curve(t, describe_curve);
   if (status == PH_OK) {
-    warn_corners(r);
+    warn_corners(&t->result);
   }
   return status;
 }
