@@ -187,7 +187,7 @@ enum ph_status ph_nurbs_of(const struct ph_curve *curve,
                            struct ph_arena *arena, struct ph_splines *chains,
                            struct ph_diag *diag) {
   struct row row = {.closed = curve->closed};
-  struct ph_curve bezier;
+  struct ph_curve bezier = {0};
   struct ph_pieces pieces;
   enum ph_status status;
   if (!ph_kind_of(curve)->bezier) {
