@@ -254,7 +254,8 @@ bad bad-value 'lengths[0]' "is 2, the chord of interval 0: $straight; $hint" \
 # empty where the warning is about the whole.
 warning() {
   printf '{%s}\n' "$5" >a.json
-  says=$(escaped "$4")
+  escape "$4"
+  says=$escaped
   run arclength a.json
   expect "$1: a warning" 0 "phspline: a.json:1: record 1: warning: $4 [$2]"
   equal "$1: the record" "\"ok\" [{\"code\":\"$2\",${3:+\"segment\":$3,}\

@@ -8,6 +8,7 @@
  *   json compact [FILE]    each value on a line, without blanks
  *   json shape [FILE]      each value's skeleton: {id:number,points:[[number]]}
  *   json get PATH [FILE]   the text at a.b[2].c in each value, else "absent"
+ *   json row PATH [FILE]   the same in one line, with a blank between two
  *
  * Values may follow one another with any blanks between them (`lines': with
  * line breaks).  Exit status 1 and a message when the text is anything else.
@@ -345,23 +346,29 @@ static char *read_all(FILE *file, size_t *n) {
 }
 
 static void print(const struct node *node, char command, const char *path) {
+  static bool more;
+  if (command == 'r' && more) {
+    putchar(' ');
+  }
+  more = true;
   if (command == 'c') {
     print_compact(node);
   } else if (command == 's') {
     print_shape(node);
-  } else if (command == 'g') {
+  } else if (command == 'g' || command == 'r') {
     print_at(node, path);
   } else if (node->end == text_end || *node->end != '\n' ||
              memchr(node->text, '\n', (size_t)(node->end - node->text))) {
     die(node->text, "a value is not a line");
   }
-  if (command != 'l') {
+  if (command != 'l' && command != 'r') {
     putchar('\n');
   }
 }
 
 int main(int argc, char **argv) {
-  static const char *const commands[] = {"lines", "compact", "shape", "get"};
+  static const char *const commands[] = {"lines", "compact", "shape", "get",
+                                         "row"};
   const char *path = "";
   char command = '\0';
   FILE *file;
@@ -370,14 +377,14 @@ int main(int argc, char **argv) {
   for (size_t i = 0; argc > 1 && i < sizeof commands / sizeof *commands; i++) {
     command = strcmp(argv[1], commands[i]) == 0 ? *commands[i] : command;
   }
-  if (command == 'g' && argc > 2) {
+  if ((command == 'g' || command == 'r') && argc > 2) {
     path = argv[2];
     argc--;
     argv++;
   }
   file = argc > 2 ? fopen(argv[2], "r") : stdin;
   if (!command || argc > 3 || !file) {
-    fputs("usage: json lines|compact|shape|get PATH [FILE]\n", stderr);
+    fputs("usage: json lines|compact|shape|get|row PATH [FILE]\n", stderr);
     return 2;
   }
   data = read_all(file, &n);

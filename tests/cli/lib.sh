@@ -124,7 +124,7 @@ expect() {
   why=
   if [ "$status" -ne "$2" ]; then
     why="exit status $status, wanted $2"
-  elif [ "$(cat err)" != "${3-}" ]; then
+  elif [ -n "${3-}" ] || [ -s err ] && [ "$(cat err)" != "${3-}" ]; then
     why='standard error'
   elif [ $# -gt 3 ] && [ "$(cat out)" != "$4" ]; then
     why='standard output'
@@ -162,7 +162,7 @@ count() {
 
 # get PATH: of each record in out, with blanks for line breaks.
 get() {
-  json get "$1" out | tr '\n' ' ' | sed 's/ $//'
+  json row "$1" out
 }
 
 # table PATH...: of each record in out a line, with tabs between its values.
