@@ -94,17 +94,20 @@ CAIRO = $(if $(WITHOUT_CAIRO),,$(CAIRO_LIBS))
 PLOT = $(if $(WITHOUT_CAIRO),,plot)
 # No teem, no --panorama: the same with WITHOUT_TEEM=1.
 TEEM = $(if $(WITHOUT_TEEM),,$(TEEM_LIBS))
-# It is loaded when a volume is asked for, by the name that a program has for it
-# that is linked with it; without a name, as of one that is not shared, it is
-# linked.
-ifndef TEEM_NAME
-TEEM_NAME := $(if $(TEEM),$(shell probe=$$(mktemp) && { printf '%s\n' \
-	'#include <dlfcn.h>' '#include <teem/nrrd.h>' \
-	'int main(void) { return !nrrdNew() || !dlerror(); }' | $(CC) $(TEEM_CFLAGS) \
-	$(CPPFLAGS) -x c -o "$$probe" - $(LDFLAGS) $(TEEM) -ldl && \
-	readelf -d "$$probe" | sed -n 's/.*NEEDED.*\[\(.*teem.*\)\]/\1/p'; \
-	rm -f "$$probe"; } 2>/dev/null))
+# Few runs need these two, and to load them takes longer than all the rest: each
+# is loaded when it is needed, by the name that a program has for it that is
+# linked with it; without a name, as of one that is not shared, it is linked.
+ifneq ($(CAIRO)$(TEEM),)
+NEEDED := $(shell probe=$$(mktemp) && { printf '%s\n' '#include <dlfcn.h>' \
+	$(if $(CAIRO),'#include <cairo.h>') \
+	$(if $(TEEM),'#include <teem/nrrd.h>') 'int main(void) { return !dlerror()' \
+	$(if $(CAIRO),'|| !cairo_version()') $(if $(TEEM),'|| !nrrdNew()') '; }' | \
+	$(CC) $(CAIRO_CFLAGS) $(TEEM_CFLAGS) $(CPPFLAGS) -x c -o "$$probe" - \
+	$(LDFLAGS) $(CAIRO) $(TEEM) -ldl && readelf -d "$$probe" | \
+	sed -n 's/.*NEEDED.*\[\(.*\)\]/\1/p'; rm -f "$$probe"; } 2>/dev/null)
 endif
+CAIRO_NAME := $(filter libcairo%,$(NEEDED))
+TEEM_NAME := $(filter libteem%,$(NEEDED))
 VOLUME = $(if $(WITHOUT_TEEM),,volume)
 # No expat, no SVG nor GPX as input: the same with WITHOUT_EXPAT=1.
 EXPAT = $(if $(WITHOUT_EXPAT),,$(EXPAT_LIBS))
@@ -145,14 +148,16 @@ hardening = $(shell sed 1d $(B)/hardening 2>/dev/null)
 
 COMPILE = $(CC) $(WARNINGS) $(filter -D% -f%,$(hardening)) $(GSL_CFLAGS) \
 	$(CJSON_CFLAGS) $(if $(CAIRO),-DPH_CAIRO $(CAIRO_CFLAGS)) \
+	$(if $(CAIRO_NAME),-DPH_CAIRO_NAME='"$(CAIRO_NAME)"') \
 	$(if $(TEEM),-DPH_TEEM $(TEEM_CFLAGS)) \
 	$(if $(TEEM_NAME),-DPH_TEEM_NAME='"$(TEEM_NAME)"') \
 	$(if $(EXPAT),-DPH_EXPAT $(EXPAT_CFLAGS)) $(CPPFLAGS) $(CFLAGS) \
 	$(MANDATORY) $(VFLAGS_$(VARIANT))
 LINK = $(CC) $(filter-out -D%,$(hardening)) $(CFLAGS) $(MANDATORY) \
 	$(VFLAGS_$(VARIANT)) $(LDFLAGS)
-LIBRARIES = $(GSL_LIBS) $(CJSON_LIBS) $(CAIRO) \
-	$(if $(TEEM_NAME),-ldl,$(TEEM)) $(EXPAT) $(LIBS) -lm
+LIBRARIES = $(GSL_LIBS) $(CJSON_LIBS) $(if $(CAIRO_NAME),,$(CAIRO)) \
+	$(if $(TEEM_NAME),,$(TEEM)) $(if $(CAIRO_NAME)$(TEEM_NAME),-ldl) $(EXPAT) \
+	$(LIBS) -lm
 
 # V=1 shows whole command lines
 Q = $(if $(V),,@)

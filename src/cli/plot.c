@@ -62,6 +62,7 @@ enum ph_status ph_plot_check(const struct ph_options *options,
                              struct ph_diag *diag) {
   const char *file = options->plot;
   char excerpt[PH_EXCERPT_MAX];
+  struct ph_diag missing;
   if (!file) {
     const char *lone = options->plot_width ? "plot-size"
                        : options->title    ? "title"
@@ -76,11 +77,8 @@ enum ph_status ph_plot_check(const struct ph_options *options,
                    "found '%s'",
                    ph_excerpt(file, strlen(file), excerpt));
   }
-  if (!ph_figure_can()) {
-    return ph_fail(diag, PH_E_USAGE, NULL,
-                   "--plot: this phspline was built without cairo: install "
-                   "libcairo2-dev (Debian, Ubuntu), cairo-devel (Fedora) or "
-                   "cairo (elsewhere) and build it again");
+  if (ph_figure_can(&missing) != PH_OK) {
+    return ph_fail(diag, missing.status, NULL, "--plot: %s", missing.message);
   }
   if (ph_output_same(options->output, file)) {
     return ph_fail(diag, PH_E_USAGE, NULL, "--plot and %s are the same file",

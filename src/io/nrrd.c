@@ -1,12 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Volumes by teem (see nrrd.h).
- *
- * To load it takes as long as to load all other libraries, and few runs need
- * it: where PH_TEEM_NAME says what the shared library is called, it is loaded
- * when it is asked, and what is used of it is found by name.
- */
+/* Volumes by teem (see nrrd.h), which is loaded when it is needed where
+ * PH_TEEM_NAME says what the shared library is called. */
 #include "io/nrrd.h"
+
+#include "base/library.h"
 
 #ifdef PH_TEEM
 
@@ -15,7 +12,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <dlfcn.h>
 #include <teem/nrrd.h>
 
 /* A matrix of columns this near to one another has no inverse, relative. */
@@ -50,38 +46,30 @@ enum { WHITE = 65535 };
 
 /* Where each of them is. */
 struct teem {
-#define MEMBER(name) __typeof__(&(name)) name;
-  TEEM(MEMBER)
-#undef MEMBER
+  TEEM(PH_LIBRARY_MEMBER)
 };
 
 #ifdef PH_TEEM_NAME
 
-static bool find(void *library, const char *name, void *place) {
-  void *found = dlsym(library, name);
-  memcpy(place, &found, sizeof found);
-  return found;
-}
-
-/* The library stays where it is until the program ends. */
 static enum ph_status load_teem(struct teem *teem, struct ph_diag *diag) {
-  void *library = dlopen(PH_TEEM_NAME, RTLD_NOW | RTLD_LOCAL);
-  bool all = library;
-#define FIND(name) all = all && find(library, #name, &teem->name);
-  TEEM(FIND)
-#undef FIND
-  return all ? PH_OK
+#define SYMBOL(name) {#name, offsetof(struct teem, name)},
+  static const struct ph_library_symbol symbols[] = {TEEM(SYMBOL)};
+#undef SYMBOL
+  const char *why;
+  return ph_library_load(PH_TEEM_NAME, symbols,
+                         sizeof symbols / sizeof symbols[0], teem, &why)
+             ? PH_OK
              : ph_fail(diag, PH_E_INPUT, NULL,
-                       "volumes need the library teem: %s", dlerror());
+                       "volumes need the library teem: %s", why);
 }
 
 #else
 
 static enum ph_status load_teem(struct teem *teem, struct ph_diag *diag) {
   (void)diag;
-#define FIND(name) teem->name = &(name);
-  TEEM(FIND)
-#undef FIND
+#define ADDRESS(name) teem->name = &(name);
+  TEEM(ADDRESS)
+#undef ADDRESS
   return PH_OK;
 }
 

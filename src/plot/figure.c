@@ -30,8 +30,8 @@ enum ph_figure_format ph_figure_format_of(const char *file) {
   return PH_FIGURE_FORMAT_N;
 }
 
-bool ph_figure_can(void) {
-  return ph_page_can();
+enum ph_status ph_figure_can(struct ph_diag *diag) {
+  return ph_page_can(diag);
 }
 
 /* What goes on the page. */

@@ -76,8 +76,8 @@ enum { PH_FIGURE_PANELS_MAX = 100, PH_FIGURE_SWEEP_MAX = 1000 };
  * PH_FIGURE_FORMAT_N: none of them. */
 enum ph_figure_format ph_figure_format_of(const char *file);
 
-/* ph_figure_can: whether the program was built with cairo. */
-bool ph_figure_can(void);
+/* ph_figure_can: whether there can be figures (ph_page_can). */
+enum ph_status ph_figure_can(struct ph_diag *diag);
 
 /*
  * ph_figure_write: appends the bytes of the figure.
@@ -85,8 +85,8 @@ bool ph_figure_can(void);
  * Titles and labels may be any bytes and of any length, numbers any doubles.
  *
  * in   drawings[n]  in the order of the records; n = 0 is an empty page
- * ret  PH_OK | PH_E_NO_MEMORY | PH_E_INTERNAL (cairo failed, or is not there;
- *      says why)
+ * ret  PH_OK | PH_E_NO_MEMORY | PH_E_INTERNAL (cairo failed; says why) |
+ *      PH_E_USAGE (it is not there)
  */
 enum ph_status ph_figure_write(const struct ph_drawing *const *drawings,
                                size_t n, const struct ph_figure_rules *rules,

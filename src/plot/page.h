@@ -20,8 +20,10 @@
 
 struct ph_page;
 
-/* ph_page_can: whether there are pages. */
-bool ph_page_can(void);
+/* ph_page_can: whether there are pages: the program was built with cairo, and
+ * finds it.
+ * ret  PH_OK | PH_E_USAGE (says what is missing) */
+enum ph_status ph_page_can(struct ph_diag *diag);
 
 /* What a page is, and what its file says of it. */
 struct ph_page_head {
@@ -34,7 +36,8 @@ struct ph_page_head {
  * ph_page_begin: a white page.
  *
  * out  page  to be ended; NULL on failure
- * ret  PH_OK | PH_E_NO_MEMORY | PH_E_INTERNAL (cairo says why, or is not there)
+ * ret  PH_OK | PH_E_NO_MEMORY | PH_E_INTERNAL (cairo says why) | PH_E_USAGE
+ *      (there are none)
  */
 enum ph_status ph_page_begin(const struct ph_page_head *head,
                              struct ph_buf *out, struct ph_page **page,

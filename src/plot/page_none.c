@@ -5,8 +5,11 @@
 
 #ifndef PH_CAIRO
 
-bool ph_page_can(void) {
-  return false;
+enum ph_status ph_page_can(struct ph_diag *diag) {
+  return ph_fail(diag, PH_E_USAGE, NULL,
+                 "this phspline was built without cairo: install libcairo2-dev "
+                 "(Debian, Ubuntu), cairo-devel (Fedora) or cairo (elsewhere) "
+                 "and build it again");
 }
 
 enum ph_status ph_page_begin(const struct ph_page_head *head,
@@ -14,8 +17,7 @@ enum ph_status ph_page_begin(const struct ph_page_head *head,
                              struct ph_diag *diag) {
   (void)head, (void)out;
   *page = NULL;
-  return ph_fail(diag, PH_E_INTERNAL, NULL,
-                 "figures need cairo, which this program was built without");
+  return ph_page_can(diag);
 }
 
 /* There is no page: nothing of what follows is ever called. */

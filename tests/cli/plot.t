@@ -33,6 +33,23 @@ $hint" ''
 esac
 rm -f x.svg
 
+# cairo is loaded for figures alone, and it is told where it cannot be
+library=$(grep -ao 'libcairo[.][.a-z0-9]*' "$PHSPLINE" | head -n 1)
+if [ -n "$library" ]; then
+  mkdir broken
+  : >"broken/$library"
+  printf '%s\n' "$good" >good.json
+  true_that 'no figure, no cairo' env LD_LIBRARY_PATH="$PWD/broken" \
+    "$PHSPLINE" planar -q good.json
+  status=0
+  LD_LIBRARY_PATH=$PWD/broken "$PHSPLINE" planar -p x.svg nosuch.json \
+    >out 2>err || status=$?
+  true_that 'a cairo that cannot be loaded' grep -q \
+    "^phspline: --plot: figures need the library cairo: .*$library" err
+  equal 'its exit status' 2 "$status"
+  true_that 'and no file' [ ! -e x.svg ]
+fi
+
 # ---- misuse ------------------------------------------------------------------
 
 # misused NAME MESSAGE ARGUMENT...: before anything is read
