@@ -144,30 +144,53 @@ static void change_jet(const struct ph_atph *space, double u,
   }
 }
 
+/* factor times the product of two functions, with its derivatives. */
+static inline void leibniz(double factor, const double p[3], const double q[3],
+                           double product[3]) {
+  product[0] = factor * (p[0] * q[0]);
+  product[1] = factor * (p[0] * q[1] + p[1] * q[0]);
+  product[2] = factor * (p[0] * q[2] + 2 * p[1] * q[1] + p[2] * q[0]);
+}
+
+/* Bernstein polynomials. */
+static struct ph_atph_table table_of_ph(double u) {
+  const double v = 1 - u;
+  return (struct ph_atph_table){.b = {{v * v, 2 * (v * u), u * u},
+                                      {-2 * v, 2 * (v - u), 2 * u},
+                                      {2, -4, 2}}};
+}
+
 struct ph_atph_table ph_atph_table_of(const struct ph_atph *space, double u) {
   struct ph_atph_table table;
-  double s[4][2], t[3][2], c = space->c;
-  double half = space->angle / 2, c_change = -half * half * space->sinc;
+  double s[4][2], t[3][2], left[2][3], right[2][3], b[3][3], change[3][3];
+  const double half = space->angle / 2, twice = 2 * space->c;
+  const double twice_change = -2 * half * half * space->sinc;
+  double other[3];
+  if (!(space->angle > 0)) {
+    return table_of_ph(u);
+  }
   basis_jet(space, u, s);
   change_jet(space, u, (const double(*)[2])s, t);
   for (size_t d = 0; d < 3; d++) {
-    double b[3] = {0, 0, 0}, change[3] = {0, 0, 0};
-    for (size_t i = 0; i <= d; i++) {
-      double factor = BINOMIAL[d][i];
-      const double *p = s[i], *q = s[d - i], *q_change = t[d - i];
-      b[0] += factor * p[0] * q[0];
-      b[1] += factor * p[0] * q[1];
-      b[2] += factor * p[1] * q[1];
-      change[0] += 2 * factor * p[0] * q_change[0];
-      change[1] += factor * (p[0] * q_change[1] + t[i][0] * q[1]);
-      change[2] += 2 * factor * p[1] * q_change[1];
-    }
-    change[1] = 2 * (c * change[1] + c_change * b[1]);
-    b[1] *= 2 * c;
-    for (size_t i = 0; i < 3; i++) {
-      table.b[d][i] = b[i];
-      table.change[d][i] = space->angle > 0 ? change[i] : 0;
-    }
+    left[0][d] = s[d][0];
+    left[1][d] = t[d][0];
+    right[0][d] = s[d][1];
+    right[1][d] = t[d][1];
+  }
+  leibniz(1, left[0], left[0], b[0]);
+  leibniz(1, left[0], right[0], b[1]);
+  leibniz(1, right[0], right[0], b[2]);
+  leibniz(2, left[0], left[1], change[0]);
+  leibniz(twice, left[0], right[1], change[1]);
+  leibniz(twice, left[1], right[0], other);
+  leibniz(2, right[0], right[1], change[2]);
+  for (size_t d = 0; d < 3; d++) {
+    table.b[d][0] = b[0][d];
+    table.b[d][1] = twice * b[1][d];
+    table.b[d][2] = b[2][d];
+    table.change[d][0] = change[0][d];
+    table.change[d][1] = change[1][d] + other[d] + twice_change * b[1][d];
+    table.change[d][2] = change[2][d];
   }
   return table;
 }

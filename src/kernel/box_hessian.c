@@ -11,6 +11,9 @@
 /* The change of a variable, or of all. */
 static const double DIFFERENCE = 1e-5;
 
+/* Pivots that differences can not tell from 0, by the diagonal. */
+static const double PIVOT_MIN = 1e-6;
+
 /* What is added first where a matrix is not positive definite; how often it is
  * more: up to 1e15 times the matrix. */
 static const double SHIFT = 1e-3, MORE = 4;
@@ -154,6 +157,20 @@ static void leave_out(struct ph_box_hessian *h, const bool *fixed) {
   }
 }
 
+/* Whether it is positive definite, by more than differences can tell. */
+static bool factor(struct ph_box_hessian *h, const bool *fixed) {
+  if (!ph_sym_factor(h->factor, h->n, h->k)) {
+    return false;
+  }
+  for (size_t j = 0; j < h->n; j++) {
+    double root = *ph_sym_at(h->factor, h->k, j, j);
+    if (!fixed[j] && !(root * root > PIVOT_MIN * fabs(*at(h, j, j)))) {
+      return false;
+    }
+  }
+  return true;
+}
+
 void ph_box_hessian_solve(struct ph_box_hessian *h, const bool *fixed,
                           double *v) {
   double shift = 0;
@@ -162,7 +179,7 @@ void ph_box_hessian_solve(struct ph_box_hessian *h, const bool *fixed,
     memcpy(h->factor, h->a, ph_sym_size(h->n, h->k) * sizeof *h->a);
     add_shift(h, shift);
     leave_out(h, fixed);
-    factored = ph_sym_factor(h->factor, h->n, h->k);
+    factored = factor(h, fixed);
     shift = shift > 0 ? MORE * shift : SHIFT;
   }
   for (size_t i = 0; i < h->n; i++) {

@@ -12,9 +12,10 @@
  * proportions of its variables stays positive definite by that, which
  * without it has eigenvalues below 0 as large as what is left out.
  *
- * Where it is not positive definite a multiple of its diagonal and of the sum
- * of |a[i][j]| (x[i] - x[j])^2 is added, the fewest that are enough of powers
- * of 4.
+ * Where it is not positive definite, or not by more than the differences are
+ * off, as a function of proportions is along a change of all its variables, a
+ * multiple of its diagonal and of the sum of |a[i][j]| (x[i] - x[j])^2 is
+ * added, the fewest that are enough of powers of 4.
  */
 #ifndef PH_KERNEL_BOX_HESSIAN_H
 #define PH_KERNEL_BOX_HESSIAN_H

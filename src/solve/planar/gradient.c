@@ -63,30 +63,56 @@ static void by_jet(const ph_cplx z[3], const double weight[3], ph_cplx c[3]) {
   c[2] = ph_cplx_mul(ph_cplx_of(0, -by_a1), z0);
 }
 
-/* What one node adds to the derivatives of segment k. */
+/* What one node adds to the derivatives of segment k by w; c <- those of the
+ * integrand by w, w', w'' there. */
 static void add_node(struct ph_planar_gradient *g, size_t k,
-                     const struct ph_atph *space, const ph_cplx w[3], double u,
-                     double part, const double weight[3]) {
-  struct ph_atph_table table = ph_atph_table_of(space, u);
-  ph_cplx z[3], change[3], c[3];
+                     const struct ph_atph_table *table, const ph_cplx w[3],
+                     double part, const double weight[3], ph_cplx z[3],
+                     ph_cplx c[3]) {
+  ph_cplx *sum = &g->by_w[3 * k];
   for (size_t d = 0; d < 3; d++) {
-    z[d] = change[d] = ph_cplx_of(0, 0);
-    for (size_t i = 0; i < 3; i++) {
-      z[d] = ph_cplx_add(z[d], ph_cplx_scale(table.b[d][i], w[i]));
-      change[d] =
-          ph_cplx_add(change[d], ph_cplx_scale(table.change[d][i], w[i]));
-    }
+    const double *b = table->b[d];
+    z[d].re = b[0] * w[0].re + b[1] * w[1].re + b[2] * w[2].re;
+    z[d].im = b[0] * w[0].im + b[1] * w[1].im + b[2] * w[2].im;
   }
   by_jet(z, weight, c);
+  for (size_t i = 0; i < 3; i++) {
+    const double b[3] = {table->b[0][i], table->b[1][i], table->b[2][i]};
+    sum[i].re += part * (b[0] * c[0].re + b[1] * c[1].re + b[2] * c[2].re);
+    sum[i].im += part * (b[0] * c[0].im + b[1] * c[1].im + b[2] * c[2].im);
+  }
+}
+
+/* What the angle changes there. */
+static void add_change(struct ph_planar_gradient *g, size_t k,
+                       const struct ph_atph_table *table, const ph_cplx w[3],
+                       double part, const ph_cplx z[3], const ph_cplx c[3]) {
+  ph_cplx change[3];
   for (size_t d = 0; d < 3; d++) {
-    for (size_t i = 0; i < 3; i++) {
-      ph_cplx *sum = &g->by_w[3 * k + i];
-      *sum = ph_cplx_add(*sum, ph_cplx_scale(part * table.b[d][i], c[d]));
-    }
+    const double *b = table->change[d];
+    change[d].re = b[0] * w[0].re + b[1] * w[1].re + b[2] * w[2].re;
+    change[d].im = b[0] * w[0].im + b[1] * w[1].im + b[2] * w[2].im;
     g->by_angle[k] += part * ph_cplx_mul(c[d], change[d]).re;
   }
   g->equation[k] = ph_cplx_add(
       g->equation[k], ph_cplx_scale(2 * part, ph_cplx_mul(z[0], change[0])));
+}
+
+static void integrate(struct ph_planar_gradient *g, size_t k,
+                      const struct ph_seg2 *seg, const struct ph_piece *piece,
+                      const double weight[3]) {
+  const struct ph_quad *rule = &g->rule[piece->rule];
+  const double step = piece->to - piece->from;
+  for (size_t i = 0; i < rule->n; i++) {
+    const double u = piece->from + step * rule->node[i];
+    const double part = step * rule->weight[i];
+    const struct ph_atph_table table = ph_atph_table_of(&seg->space, u);
+    ph_cplx z[3], c[3];
+    add_node(g, k, &table, seg->w, part, weight, z, c);
+    if (seg->space.angle > 0) {
+      add_change(g, k, &table, seg->w, part, z, c);
+    }
+  }
 }
 
 /* Derivatives of segment k's functional, and of its equation, by themselves. */
@@ -106,12 +132,7 @@ static void differentiate(struct ph_planar_gradient *g,
   g->by_angle[k] = g->by_h[k] = 0;
   n = ph_pieces_of(&seg, piece);
   for (size_t p = 0; p < n; p++) {
-    const struct ph_quad *rule = &g->rule[piece[p].rule];
-    const double from = piece[p].from, step = piece[p].to - from;
-    for (size_t i = 0; i < rule->n; i++) {
-      add_node(g, k, &seg.space, seg.w, from + step * rule->node[i],
-               step * rule->weight[i], weight);
-    }
+    integrate(g, k, &seg, &piece[p], weight);
   }
   g->equation[k] = ph_cplx_scale(1 / d->chord[k], g->equation[k]);
   for (size_t i = 0; i < 3; i++) { /* dW = W/2 dh/h */

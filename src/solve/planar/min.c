@@ -43,6 +43,9 @@ static const double SPACING_RANGE = 20;
  * over another. */
 static const double COARSE = 1e-6, GAIN = 1e-13, DONE = 1e-8, BETTER = 1e-5;
 
+/* Logarithms of spacings that differ by rounding. */
+static const double SAME = 1e-12;
+
 /* A part of a functional is at least this part of the mean; and what an angle
  * of ATPH does by itself, over what it does beside its neighbours. */
 static const double PART_MIN = 1e-3, ANGLE = 0.5;
@@ -354,11 +357,12 @@ static void start_of(const struct work *w, size_t i, const double *given,
 
 struct room {
   double *given, *shape, *x, *best, *lower, *upper;
+  double *tried; /* [STARTS][n] */
 };
 
 static enum ph_status room_alloc(struct room *r, size_t n,
                                  struct ph_arena *arena, struct ph_diag *diag) {
-  double *v = ph_arena_array(arena, n, 6 * sizeof *v);
+  double *v = ph_arena_array(arena, n, (6 + STARTS) * sizeof *v);
   if (!v) {
     return ph_fail_memory(diag);
   }
@@ -368,6 +372,7 @@ static enum ph_status room_alloc(struct room *r, size_t n,
   r->lower = v + 3 * n;
   r->upper = v + 4 * n;
   r->best = v + 5 * n;
+  r->tried = v + 6 * n;
   return PH_OK;
 }
 
@@ -405,6 +410,23 @@ static void enter(const struct work *w, struct room *r, size_t start) {
     x = x < r->lower[k] ? r->lower[k] : x;
     r->x[k] = x > r->upper[k] ? r->upper[k] : x;
   }
+}
+
+/* Whether a start is another than those before it: knots have no size of their
+ * own, and the data may have what a start would give them. */
+static bool is_another(const struct work *w, struct room *r, size_t start) {
+  size_t n = w->variables;
+  memcpy(r->tried + start * n, r->x, n * sizeof *r->x);
+  for (size_t i = 0; i < start; i++) {
+    double apart = 0;
+    for (size_t k = 0; k < n; k++) {
+      apart = fmax(apart, fabs(r->x[k] - r->tried[i * n + k]));
+    }
+    if (apart <= SAME) {
+      return false;
+    }
+  }
+  return true;
 }
 
 static bool touches(const struct work *w, const struct room *r,
@@ -486,7 +508,9 @@ static enum ph_status search(struct work *w, struct room *r,
   for (size_t i = 0; status == PH_OK && i < STARTS; i++) {
     w->warm = false;
     enter(w, r, i);
-    status = descend(w, r, &box, BETTER, &found);
+    if (is_another(w, r, i)) {
+      status = descend(w, r, &box, BETTER, &found);
+    }
   }
   if (status == PH_OK && !isnan(w->best.value)) {
     memcpy(r->x, r->best, w->variables * sizeof *r->x);

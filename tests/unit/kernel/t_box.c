@@ -252,6 +252,25 @@ PH_TEST_EACH(test_hessian, 4) {
   }
 }
 
+/* Where nothing but proportions count the step does not go along a change of
+ * all variables, of which differences say nothing: what the matrix makes of a
+ * sine comes from no more than that. */
+PH_TEST_EACH(test_hessian_of_proportions, 6) {
+  double v[MANY], most = 0;
+  find_hessian((struct proportions){.r = 0.1 * (1 + _i), .sign = 1, .limit = 2},
+               3);
+  ck_assert(hessian.found);
+  for (size_t i = 0; i < MANY; i++) {
+    shares.last[i] = sin(2.0 * (double)i);
+  }
+  proportions_gradient(&shares, v);
+  ph_box_hessian_solve(&hessian, NONE_FIXED, v);
+  for (size_t i = 0; i < MANY; i++) {
+    most = fmax(most, fabs(v[i]));
+  }
+  ck_assert_double_le(most, 2);
+}
+
 /* Where the function is not convex the step goes down nevertheless; where it
  * has no value beside x there is none. */
 PH_TEST(test_hessian_refused) {

@@ -274,6 +274,46 @@ PH_TEST_EACH(test_invariant, 2) {
   }
 }
 
+/* It is found to all digits, though knots have no size of their own: turned by
+ * a quarter, and at another size, random data have the same. */
+PH_TEST(test_all_digits) {
+  enum { POINTS = 12, SETS = 40 };
+  for (unsigned long i = 0; i < SETS; i++) {
+    struct unit_random r = unit_random_of(600 + i);
+    double v[2 * POINTS], minimum;
+    random_ring(&r, POINTS, v);
+    begin(v, POINTS, false, false);
+    ck_minimize(PH_PLANAR_IES, false);
+    minimum = report.minimum;
+    for (size_t k = 0; k < POINTS; k++) {
+      double x = v[2 * k];
+      v[2 * k] = -3 * v[2 * k + 1];
+      v[2 * k + 1] = 3 * x;
+    }
+    begin(v, POINTS, false, false);
+    ck_minimize(PH_PLANAR_IES, false);
+    ck_rel(report.minimum, minimum, 1e-10);
+  }
+}
+
+/* Starts that differ in the size of their spacings are one where knots are
+ * free, and what the data have may be another's: each takes one evaluation if
+ * none takes a step, and so do the data. */
+PH_TEST(test_starts) {
+  const double knots[] = {10, 11, 13, 14};
+  steps = 0;
+  begin(TABLE, 4, false, false);
+  ck_minimize(PH_PLANAR_IES, false);
+  ck_assert_uint_eq(report.evaluations, 1 + 3);
+  unit_planar_knots(&u, knots, 4);
+  ck_minimize(PH_PLANAR_IES, false);
+  ck_assert_uint_eq(report.evaluations, 1 + 4);
+  begin(TABLE, 4, false, true);
+  ck_minimize(PH_PLANAR_IES, false);
+  ck_assert_uint_eq(report.evaluations, 1 + 6);
+  steps = PH_PLANAR_STEPS_MAX;
+}
+
 /* One factor on chordal angles: they stay chordal, and every angle by itself
  * does as well or better. */
 PH_TEST(test_scale) {
