@@ -83,7 +83,11 @@ get diagnostics.iterations | tr ' ' '\n' |
 # hardly more steps than of shorter walks.
 family 'walks, free, 500' walk 500 0 0
 get diagnostics.iterations | tr ' ' '\n' |
-  holds 'walks, free, 500: steps' 'x[1] < 60 && x[n] < 60'
+  holds 'walks, free, 500: steps' 'x[1] < 45 && x[n] < 45'
+# What lies on one side of a place turns about it, however much that is.
+family 'smooth, free, 500' smooth 500 0 0
+get diagnostics.iterations | tr ' ' '\n' |
+  holds 'smooth, free, 500: steps' 'x[1] < 10 && x[n] < 10'
 family 'walks, 300' walk 300 1.2 0.4
 equal 'walks, 300: the start' '"wiggle"' \
   "$(get diagnostics.start | tr ' ' '\n' | sort -u)"
@@ -106,6 +110,8 @@ if [ "${PH_SHORT-}" != 1 ]; then
   seeds=$all
 fi
 family 'walks, measured' walk 150 1.2 0.4 ',"length_sigma":0.1'
+equal 'walks, measured: the start' '"wiggle"' \
+  "$(get diagnostics.start | tr ' ' '\n' | sort -u)"
 for width in 0.001 0.01 0.2; do
   family "ribbons, lengths off by $width" ribbon 1000 1 "$width"
 done

@@ -19,16 +19,22 @@
  * A block has as large a shift as makes its matrix, with that of a neighbour,
  * positive definite on the null space of the rows, and as keeps the bend of its
  * rows small: |correction| / |step| of the block, where a second step corrects
- * for the curvature of the rows.
+ * for the curvature of the rows.  Shifts weigh no turn of phases: where all on
+ * one side of a place wants to turn about it, the last blocks are held.
  */
 struct ph_arc_blocks {
   size_t n;      /* 0: there are too few intervals for blocks */
-  size_t width;  /* places in the order of matrices; the last has more */
+  size_t width;  /* places in the order of matrices; the last has more, and the
+                  * first where chi is */
   double *shift; /* [n] */
+  double *hold;  /* [n] the same of the unit matrix */
   double *bend;  /* [n] after a step */
-  double *stiff; /* [n] |gradient| / |step|: a shift that would halve it */
-  double *each;  /* [x_n] the shift of each unknown */
-  double *pair;  /* the matrix of two blocks */
+  double *more[2]; /* [n] what shift and hold want to be convex */
+  double *stiff;   /* [n] |gradient| / |step|: a shift that would halve it */
+  double *each;    /* [2][nodes] the shift and hold of each */
+  double most;     /* no shift is larger, but to be convex */
+  double *pair;    /* the matrix of two blocks */
+  uint32_t *node;  /* [nodes] by their places */
 };
 
 /* ph_arc_blocks_alloc: those of a system; false: no memory. */
@@ -38,10 +44,11 @@ bool ph_arc_blocks_alloc(const struct ph_arc_system *system,
 /* ph_arc_blocks_begin: no block has a shift. */
 void ph_arc_blocks_begin(struct ph_arc_blocks *blocks);
 
-/* ph_arc_blocks_shifts: the shifts [x_n] of the unknowns, NULL if n is 0; they
- * are overwritten by all that follows. */
-const double *ph_arc_blocks_shifts(const struct ph_arc_system *system,
-                                   struct ph_arc_blocks *blocks);
+/* ph_arc_blocks_weights: sets the shifts and holds of nodes if there are
+ * blocks; they are overwritten by all that follows. */
+void ph_arc_blocks_weights(const struct ph_arc_system *system,
+                           struct ph_arc_blocks *blocks,
+                           struct ph_arc_weights *weights);
 
 enum ph_arc_shape { PH_ARC_CONVEX, PH_ARC_BENT, PH_ARC_UNKNOWN };
 
@@ -55,15 +62,16 @@ enum ph_arc_shape { PH_ARC_CONVEX, PH_ARC_BENT, PH_ARC_UNKNOWN };
  * ret   convex; or with what ph_arc_blocks_apply adds; or it cannot be said
  */
 enum ph_arc_shape ph_arc_blocks_convex(const struct ph_arc_system *system,
-                                       double *matrix,
+                                       const double *x, double *matrix,
                                        struct ph_arc_blocks *blocks);
 
 /* ph_arc_blocks_apply: raises the shifts by what ph_arc_blocks_convex found. */
 void ph_arc_blocks_apply(struct ph_arc_blocks *blocks);
 
-/* ph_arc_blocks_look: bends and stiffness of a step dx of this length and of
- * dx2, the same corrected.  gradient[x_n], dx[x_n], dx2[x_n] */
-void ph_arc_blocks_look(const struct ph_arc_system *system,
+/* ph_arc_blocks_look: bends and stiffness of a step dx of this length from x,
+ * and of dx2, the same corrected, as shifts weigh them.  gradient[x_n],
+ * dx[x_n], dx2[x_n] */
+void ph_arc_blocks_look(const struct ph_arc_system *system, const double *x,
                         const double *gradient, const double *dx, double step,
                         const double *dx2, struct ph_arc_blocks *blocks);
 

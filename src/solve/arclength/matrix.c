@@ -282,10 +282,68 @@ static inline void add_interval(const struct ph_arc_system *s, size_t i,
   }
 }
 
+static double shift_of(const struct ph_arc_weights *weights, size_t j) {
+  return weights->shift + (weights->shifts ? weights->shifts[j] : 0);
+}
+
+/* What holds the phases of nodes j and j + 1 to each other. */
+static void add_link(const struct ph_arc_system *s, const double *x, size_t j,
+                     double shift, const struct target *t) {
+  const double *w = x + 4 * j, *v = w + 4;
+  uint32_t here = t->place[4 * j], next = t->place[4 * j + 4];
+  double own[16], cross[16];
+  ph_arc_link_square(w, v, shift, own, cross);
+  add_square(t, here, here, s->dim, own);
+  add_square(t, next, here, s->dim, cross);
+  ph_arc_link_square(v, w, shift, own, cross);
+  add_square(t, next, next, s->dim, own);
+  add_square(t, here, next, s->dim, cross);
+}
+
+/* Shifts of the changes of nodes; chi, a phase as well, has those of the first.
+ */
+static void add_shifts(const struct ph_arc_system *s, const double *x,
+                       const struct ph_arc_weights *weights,
+                       const struct target *t) {
+  for (size_t j = 0; j < s->nodes; j++) {
+    double shift = shift_of(weights, j), square[16];
+    double next = j + 1 < s->nodes ? shift_of(weights, j + 1) : 0;
+    uint32_t place = t->place[j * s->dim];
+    if (shift > 0) {
+      ph_arc_change_square(s, x + j * s->dim, shift, square);
+      add_square(t, place, place, s->dim, square);
+    }
+    if (s->phases && j + 1 < s->nodes && shift + next > 0) {
+      add_link(s, x, j, (shift + next) / 2, t);
+    }
+    for (size_t k = 0; weights->holds && k < s->dim; k++) {
+      add(t, place + (uint32_t)k, place + (uint32_t)k, weights->holds[j]);
+    }
+  }
+  if (s->turn) {
+    uint32_t place = t->place[s->x_n - 1];
+    add(t, place, place,
+        shift_of(weights, 0) + (weights->holds ? weights->holds[0] : 0));
+  }
+}
+
+/* What ph_arc_retract adds to the second derivatives of the Lagrangian. */
+static void add_retraction(const struct ph_arc_system *s, const double *x,
+                           const struct ph_arc_linear *linear,
+                           const struct target *t) {
+  for (size_t j = 0; s->phases && j < s->nodes; j++) {
+    uint32_t place = t->place[4 * j];
+    double square[16];
+    ph_arc_retract_square(x + 4 * j, linear->l_x + 4 * j, square);
+    add_square(t, place, place, 4, square);
+  }
+}
+
 /* The Hessian of the functional and the rows of intervals, of knots, and shift.
  * This and what follows is not complete when time is over. */
 static void add_hessian(const struct ph_arc_system *s, const double *x,
-                        const double *y, const struct ph_arc_weights *weights,
+                        const double *y, const struct ph_arc_linear *linear,
+                        const struct ph_arc_weights *weights,
                         const struct target *t) {
   size_t n = s->data->n, dim = s->dim;
   bool knots = y && s->knot_rows > 0 && !s->direction;
@@ -302,12 +360,10 @@ static void add_hessian(const struct ph_arc_system *s, const double *x,
   for (size_t j = 0; knots && j <= n; j++) {
     add_knot(s, j, y, t);
   }
-  for (size_t k = 0; weights->shift > 0 && k < s->x_n; k++) {
-    add(t, t->place[k], t->place[k], weights->shift);
+  if (weights->retracted) {
+    add_retraction(s, x, linear, t);
   }
-  for (size_t k = 0; weights->shifts && k < s->x_n; k++) {
-    add(t, t->place[k], t->place[k], weights->shifts[k]);
-  }
+  add_shifts(s, x, weights, t);
 }
 
 /* A row of the equations and its column, over n nodes. */
@@ -449,7 +505,7 @@ void ph_arc_kkt(const struct ph_arc_system *s, const double *x, const double *y,
                 const struct ph_arc_weights *weights, double *matrix) {
   struct target t = {matrix, s->kkt_band, s->place_x, false};
   memset(matrix, 0, ph_band_size(s->kkt_n, s->kkt_band) * sizeof *matrix);
-  add_hessian(s, x, y, weights, &t);
+  add_hessian(s, x, y, linear, weights, &t);
   add_pins(s, x, weights->pin, &t);
   add_rows(s, linear, &t);
 }
@@ -461,7 +517,7 @@ void ph_arc_penalised(const struct ph_arc_system *s, const double *x,
   struct target t = {matrix, s->order_band, s->order, true};
   double most = 0;
   memset(matrix, 0, ph_sym_size(s->x_n, s->order_band) * sizeof *matrix);
-  add_hessian(s, x, y, weights, &t);
+  add_hessian(s, x, y, linear, weights, &t);
   for (size_t k = 0; weights->rounding > 0 && k < s->x_n; k++) {
     double size = *ph_sym_at(matrix, s->order_band, k, k);
     most = size > most ? size : most;

@@ -36,6 +36,9 @@ static const double ALARM = 1e-10;
 static const double PROOF[4] = {1e2, 1e4, 1e6, 1e8};
 static const double SHIFT_FIRST = 1e-7, SHIFT_REFUSED = 1e-3, SHIFT_MAX = 1e10,
                     SHIFT_NONE = 1e-10;
+/* Blocks have no larger shift than this times the size of the multipliers, of
+ * which the Hessian is: they are stiff then, and more is rounding. */
+static const double STIFFEST = 10;
 static const double STEP_MIN = 1e-5;
 static const double ARMIJO = 1e-4;
 /* So many times blocks take shorter steps, before all do: with 4 free walks
@@ -142,9 +145,17 @@ static bool is_positive(const struct ph_arc_system *s, struct ph_arc_newton *w,
          ph_sym_factor(w->penalised, s->x_n, s->order_band);
 }
 
-/* What blocks add to the shift. */
-static const double *shifts(struct state *t) {
-  return t->near ? NULL : ph_arc_blocks_shifts(t->s, &t->w->blocks);
+/* Of matrices that steps are taken with. */
+static struct ph_arc_weights weights_of(struct state *t, double rounding) {
+  struct ph_arc_weights weights = {.functional = 1,
+                                   .shift = t->shift,
+                                   .pin = PIN,
+                                   .rounding = rounding,
+                                   .retracted = true};
+  if (!t->near) {
+    ph_arc_blocks_weights(t->s, &t->w->blocks, &weights);
+  }
+  return weights;
 }
 
 /* Whether the Hessian, shifted, is positive definite on the null space of J.
@@ -154,12 +165,11 @@ static bool is_convex(struct state *t, size_t from) {
   const struct ph_arc_blocks *b = &t->w->blocks;
   bool shifted = t->shift > 0;
   for (size_t k = 0; k < b->n && !shifted; k++) {
-    shifted = b->shift[k] > 0;
+    shifted = b->shift[k] > 0 || b->hold[k] > 0;
   }
   for (size_t k = from, tries = shifted ? 2 : 4;
        k < tries && !ph_arena_late(t->w->arena); k++) {
-    struct ph_arc_weights weights = {1, t->shift, PIN, k < 2 ? 0 : ALARM,
-                                     shifts(t)};
+    struct ph_arc_weights weights = weights_of(t, k < 2 ? 0 : ALARM);
     if (is_positive(t->s, t->w, t->p->x, t->p->y,
                     PENALTY[k % 2] * (1 + t->y_size), &weights)) {
       return true;
@@ -172,11 +182,11 @@ static bool is_convex(struct state *t, size_t from) {
 static bool make_convex(struct state *t) {
   const struct ph_arc_system *s = t->s;
   struct ph_arc_newton *w = t->w;
-  struct ph_arc_weights weights = {1, t->shift, PIN, 0, shifts(t)};
+  struct ph_arc_weights weights = weights_of(t, 0);
   enum ph_arc_shape shape;
   ph_arc_penalised(s, t->p->x, t->p->y, &w->linear, &weights,
                    PENALTY[0] * (1 + t->y_size), w->penalised);
-  shape = ph_arc_blocks_convex(s, w->penalised, &w->blocks);
+  shape = ph_arc_blocks_convex(s, t->p->x, w->penalised, &w->blocks);
   if (shape == PH_ARC_CONVEX || is_convex(t, 1)) {
     return true;
   }
@@ -199,10 +209,9 @@ static bool find_step(struct state *t) {
   struct ph_arc_newton *w = t->w;
   const struct ph_arc_point *p = t->p;
   while (t->shift <= SHIFT_MAX && !ph_arena_late(w->arena)) {
-    struct ph_arc_weights weights = {1, t->shift, PIN, 0, NULL};
     if (t->near || t->convex ||
         (w->blocks.n > 0 ? make_convex(t) : is_convex(t, 0))) {
-      weights.shifts = shifts(t);
+      struct ph_arc_weights weights = weights_of(t, 0);
       ph_arc_kkt(s, p->x, p->y, &w->linear, &weights, w->kkt);
       if (!ph_arena_late(w->arena) &&
           ph_band_factor(w->kkt, w->pivot, s->kkt_n, s->kkt_band)) {
@@ -370,7 +379,8 @@ static bool try_corrected(struct state *t, double step, double limit) {
   ph_arc_retract(t->s, t->p->x, w->dx, step, w->x[0]);
   plain = merit(t, w->x[0]);
   correct(t, w->x[0], step);
-  ph_arc_blocks_look(t->s, w->linear.l_x, w->dx, step, w->dx2, &w->blocks);
+  ph_arc_blocks_look(t->s, t->p->x, w->linear.l_x, w->dx, step, w->dx2,
+                     &w->blocks);
   ph_arc_retract(t->s, t->p->x, w->dx2, 1, w->x[1]);
   corrected = merit(t, w->x[1]);
   if (corrected <= plain || isnan(plain)) {
@@ -422,6 +432,7 @@ static void look(struct state *t) {
   struct ph_arc_point *p = t->p;
   ph_arc_linearise(s, p->x, p->y, &t->w->linear);
   t->y_size = ph_arc_largest(s->y_n, p->y);
+  t->w->blocks.most = STIFFEST * (1 + t->y_size);
   p->f = t->w->linear.f;
   p->kkt = ph_arc_largest(s->x_n, t->w->linear.l_x) / (1 + t->y_size);
   p->residual = 0;
@@ -554,7 +565,8 @@ bool ph_arc_is_minimum(const struct ph_arc_system *s,
                        const double *y) {
   ph_arc_linearise(s, x, y, &work->linear);
   for (size_t k = 0; k < 8 && !ph_arena_late(work->arena); k++) {
-    struct ph_arc_weights weights = {1, 0, PIN, k < 4 ? 0 : ROUNDING, NULL};
+    struct ph_arc_weights weights = {
+        .functional = 1, .pin = PIN, .rounding = k < 4 ? 0 : ROUNDING};
     if (is_positive(s, work, x, y, PROOF[k % 4], &weights)) {
       return true;
     }

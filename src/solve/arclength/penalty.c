@@ -192,9 +192,10 @@ static void begin(struct ph_arc_lagrangian *g) {
 void ph_arc_model(struct ph_arc_lagrangian *g) {
   const struct ph_arc_system *s = g->s;
   struct ph_arc_work *w = g->w;
-  struct ph_arc_weights weights = {1, s->direction ? SHIFT_SINGULAR : 0,
-                                   s->direction ? 0 : fmax(PIN, g->rho), 0,
-                                   NULL};
+  struct ph_arc_weights weights = {.functional = 1,
+                                   .shift = s->direction ? SHIFT_SINGULAR : 0,
+                                   .pin = s->direction ? 0 : fmax(PIN, g->rho),
+                                   .retracted = true};
   for (size_t r = 0; r < s->y_n; r++) {
     w->y[r] = ph_arc_multiplier(g, w->c, r);
   }

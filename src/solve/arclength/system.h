@@ -234,6 +234,9 @@ enum {
 /* |r'| at a datum, relative to the mean, below which there is no direction. */
 #define PH_ARC_STANDSTILL 1e-8
 
+/* Intervals from which on points are many: from here on they have blocks. */
+enum { PH_ARC_MANY = 48 };
+
 struct ph_arc_system {
   const struct ph_arena *arena; /* knows how much time there is */
   const struct ph_arc_data *data;
@@ -244,6 +247,7 @@ struct ph_arc_system {
   size_t nodes;    /* stored: M + 2, or M of a closed curve */
   bool turn;       /* closed in space: the last unknown is chi */
   double sign;     /* closed, not in space: w_M+j = sign w_j */
+  bool phases;     /* steps and matrices know phases, see ph_arc_weights */
   size_t x_n;      /* unknowns */
   size_t y_n;      /* rows */
 
@@ -401,12 +405,54 @@ void ph_arc_rows_times_of(const struct ph_arc_system *system,
 /* What a matrix of second derivatives is made of. */
 struct ph_arc_weights {
   double functional; /* times the Hessian of F: 1, or 0 for none */
-  double shift;      /* times the unit matrix */
+  double shift;      /* times the changes of nodes, see below */
   double pin;        /* weight of what fixes the common phase of the spinors */
   double rounding;   /* of penalised matrices: times the largest element on the
                       * diagonal of the Hessian, as a further shift; or 0 */
-  const double *shifts; /* [x_n] a further one of each unknown; or NULL */
+  const double *shifts; /* [nodes] a further one of each node; or NULL */
+  const double *holds;  /* [nodes] times its unit matrix; or NULL */
+  bool retracted; /* second derivatives along ph_arc_retract, not along lines,
+                   * of a system with phases */
 };
+
+/*
+ * Phases in these matrices.  A common phase of all nodes leaves the curve as it
+ * is, one of all that are on one side of a node changes it at that node only.
+ *
+ * Second derivatives of F + y . c along ph_arc_retract, by changes d and phases
+ * p of nodes, w + t (d + i p w) + t^2 (i p d - p^2 w / 2), have a further part
+ * of their gradient g by a node (ph_arc_retract_square).  With it the matrix
+ * knows at every x that a common phase changes nothing; without, a step that
+ * turns one side of a curve sees curvature that is not there.
+ *
+ * A shift weighs changes by
+ *
+ *   sum_j shift_j |d_j|^2 + (shift_j + shift_j+1) / 2
+ *                           min(|w_j|, |w_j+1|)^2 (p_j+1 - p_j)^2:
+ *
+ * the unit matrix would take the turn of one side for a change of all its
+ * nodes, the larger the longer the curve is.  Systems of many points in space
+ * have phases; with directions rows turn with them, and few points lead as well
+ * without, to other minima: there d is the whole change.
+ */
+
+/* ph_arc_retract_square: g . (second derivatives of ph_arc_retract_node). */
+void ph_arc_retract_square(const double *w, const double *g, double out[16]);
+
+/* ph_arc_change_square: second derivatives / 2 of shift |d|^2.
+ * out out[dim][dim] */
+void ph_arc_change_square(const struct ph_arc_system *system, const double *w,
+                          double shift, double *out);
+
+/* ph_arc_link_square: of shift min(|w|, |v|)^2 (p_v - p_w)^2, nodes w and v.
+ * out own by w, cross by v and w */
+void ph_arc_link_square(const double *w, const double *v, double shift,
+                        double own[16], double cross[16]);
+
+/* ph_arc_split: p and d = rest of a change v of node w; without phases p is 0.
+ */
+double ph_arc_split(const struct ph_arc_system *system, const double *w,
+                    const double *v, double *rest);
 
 /*
  * ph_arc_kkt: the matrix [A J^T; J -compliance] in the order of place_x and

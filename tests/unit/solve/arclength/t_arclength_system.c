@@ -68,6 +68,7 @@ static void set_up(struct unit_random *r, const struct sort *sort,
   ck_assert_uint_le(t->system.x_n, X_MAX);
   ck_assert_uint_le(t->system.y_n, Y_MAX);
   t->system.sign = sort->closed && sort->dim == 2 ? -1 : 1;
+  t->system.phases = sort->dim == 4; /* of these few points, too */
   for (size_t k = 0; k < t->system.x_n; k++) {
     t->x[k] = unit_random_in(r, -1, 1);
   }
@@ -264,7 +265,7 @@ static double kkt_at(struct setting *t, double *matrix, uint32_t i,
 
 PH_TEST_EACH(test_kkt_matrix, SORTS) {
   struct unit_random r = unit_random_of(990 + (uint64_t)_i);
-  static const struct ph_arc_weights weights = {1, 0, 0, 0, NULL};
+  static const struct ph_arc_weights weights = {.functional = 1};
   struct setting t;
   double *matrix, plus[X_MAX], minus[X_MAX];
   set_up(&r, &sorts[_i], &t);
@@ -298,7 +299,8 @@ PH_TEST_EACH(test_kkt_matrix, SORTS) {
 /* v . (A + rho J^T J) v in one way and the other. */
 PH_TEST_EACH(test_penalised_matrix, SORTS) {
   struct unit_random r = unit_random_of(1020 + (uint64_t)_i);
-  static const struct ph_arc_weights weights = {1, 0.5, 3, 0, NULL};
+  static const struct ph_arc_weights weights = {
+      .functional = 1, .shift = 0.5, .pin = 3, .retracted = true};
   const double rho = 7;
   struct setting t;
   double *kkt, *sym, v[X_MAX], jv[Y_MAX], want = 0, got = 0;
@@ -332,6 +334,111 @@ PH_TEST_EACH(test_penalised_matrix, SORTS) {
     want += rho * jv[row] * jv[row];
   }
   ck_rel(got, want, 1e-12);
+}
+
+/* ---- phases -------------------------------------------------------------- */
+
+/* out = A v of the KKT matrix at t->x. */
+static void matrix_times(struct setting *t,
+                         const struct ph_arc_weights *weights, const double *v,
+                         double out[X_MAX]) {
+  const struct ph_arc_system *s = &t->system;
+  double *matrix = ph_arena_array(
+      &unit_arena, ph_band_size(s->kkt_n, s->kkt_band), sizeof *matrix);
+  ph_arc_linearise(s, t->x, t->y, &t->linear);
+  ph_arc_kkt(s, t->x, t->y, &t->linear, weights, matrix);
+  for (size_t k = 0; k < s->x_n; k++) {
+    out[k] = 0;
+    for (size_t l = 0; l < s->x_n; l++) {
+      out[k] += kkt_at(t, matrix, s->place_x[k], s->place_x[l]) * v[l];
+    }
+  }
+}
+
+static void set_random(struct unit_random *r, const struct setting *t,
+                       double v[X_MAX]) {
+  for (size_t k = 0; k < t->system.x_n; k++) {
+    v[k] = unit_random_in(r, -1, 1);
+  }
+}
+
+/* Second derivatives along retracted steps are differences of values there. */
+PH_TEST_EACH(test_retracted_matrix, SORTS) {
+  static const struct ph_arc_weights weights = {.functional = 1,
+                                                .retracted = true};
+  static const double step = 1e-3;
+  struct unit_random r = unit_random_of(1050 + (uint64_t)_i);
+  struct setting t;
+  double x[X_MAX], v[X_MAX], av[X_MAX], value[3], scale = 1;
+  set_up(&r, &sorts[_i], &t);
+  set_random(&r, &t, v);
+  matrix_times(&t, &weights, v, av);
+  memcpy(x, t.x, sizeof x);
+  for (int k = 0; k < 3; k++) {
+    ph_arc_retract(&t.system, x, v, (k - 1) * step, t.x);
+    value[k] = lagrangian_at(&t, 0, 0);
+    scale += fabs(value[k]);
+  }
+  ck_abs(ph_arc_dot(t.system.x_n, v, av),
+         (value[0] - 2 * value[1] + value[2]) / (step * step), 1e-4 * scale);
+}
+
+/* A common phase changes neither F nor rows that are quadratic, wherever x is,
+ * and no shift weighs it. */
+PH_TEST_EACH(test_common_phase, SORTS) {
+  static const struct ph_arc_weights weights = {
+      .functional = 1, .shift = 0.5, .retracted = true};
+  struct unit_random r = unit_random_of(1080 + (uint64_t)_i);
+  struct setting t;
+  double v[X_MAX] = {0}, av[X_MAX];
+  if (sorts[_i].dim != 4 || sorts[_i].mode == PH_ARC_TANGENTS) {
+    return;
+  }
+  set_up(&r, &sorts[_i], &t);
+  for (size_t j = 0; j < t.system.nodes; j++) {
+    ph_arc_turned(t.x + 4 * j, v + 4 * j);
+  }
+  matrix_times(&t, &weights, v, av);
+  for (size_t k = 0; k < t.system.x_n; k++) {
+    ck_abs(av[k], 0, 1e-11);
+  }
+}
+
+/* What shifts make of a step: system.h has the formula. */
+static double shifted_square(const struct setting *t, const double *shifts,
+                             const double *v) {
+  const struct ph_arc_system *s = &t->system;
+  double sum = 0, before = 0;
+  for (size_t j = 0; j < s->nodes; j++) {
+    const double *w = t->x + j * s->dim;
+    double rest[4], ww = ph_arc_dot(s->dim, w, w);
+    double p = ph_arc_split(s, w, v + j * s->dim, rest);
+    sum += shifts[j] * ph_arc_dot(s->dim, rest, rest);
+    if (j > 0) {
+      double least = fmin(ww, ph_arc_dot(s->dim, w - s->dim, w - s->dim));
+      sum += (shifts[j - 1] + shifts[j]) / 2 * least * pow(p - before, 2);
+    }
+    before = p;
+  }
+  return s->turn ? sum + shifts[0] * v[s->x_n - 1] * v[s->x_n - 1] : sum;
+}
+
+PH_TEST_EACH(test_shifts, SORTS) {
+  struct unit_random r = unit_random_of(1110 + (uint64_t)_i);
+  double v[X_MAX], with[X_MAX], without[X_MAX], shifts[X_MAX];
+  struct ph_arc_weights weights = {.functional = 1};
+  struct setting t;
+  set_up(&r, &sorts[_i], &t);
+  set_random(&r, &t, v);
+  for (size_t j = 0; j < t.system.nodes; j++) { /* some have none */
+    shifts[j] = fmax(unit_random_in(&r, -1, 1), 0);
+  }
+  matrix_times(&t, &weights, v, without);
+  weights.shifts = shifts;
+  matrix_times(&t, &weights, v, with);
+  ck_rel(ph_arc_dot(t.system.x_n, v, with) -
+             ph_arc_dot(t.system.x_n, v, without),
+         shifted_square(&t, shifts, v), 1e-10);
 }
 
 /* ---- bands, steps -------------------------------------------------------- */
