@@ -109,6 +109,23 @@ static void basis_jet(const struct ph_atph *space, double u, double s[4][2]) {
   }
 }
 
+/* The same by one sine and cosine, with errors of rounding in S0 and S0' by 1,
+ * not by what they are; for every angle but 0. */
+static void basis_jet_at_once(const struct ph_atph *space, double u,
+                              double s[4][2]) {
+  const double half = space->angle / 2, factor = -half * half;
+  const double sine = half * space->sinc, by_sine = 1 / sine;
+  const double right = sin(half * u), right_cos = cos(half * u);
+  s[0][0] = right_cos - space->c * right * by_sine;
+  s[0][1] = right * by_sine;
+  s[1][0] = -(space->c * right_cos + sine * right) / space->sinc;
+  s[1][1] = right_cos / space->sinc;
+  for (size_t i = 0; i < 2; i++) {
+    s[2][i] = factor * s[0][i];
+    s[3][i] = factor * s[1][i];
+  }
+}
+
 static const double BINOMIAL[4][4] = {
     {1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}};
 
@@ -169,7 +186,7 @@ struct ph_atph_table ph_atph_table_of(const struct ph_atph *space, double u) {
   if (!(space->angle > 0)) {
     return table_of_ph(u);
   }
-  basis_jet(space, u, s);
+  basis_jet_at_once(space, u, s);
   change_jet(space, u, (const double(*)[2])s, t);
   for (size_t d = 0; d < 3; d++) {
     left[0][d] = s[d][0];

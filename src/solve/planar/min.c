@@ -8,7 +8,7 @@
  * scaled as 1/sqrt(h), and solves from scratch where that fails.
  *
  * The functionals have several local minima, hence several starts: the data as
- * given, and chordal angles of three sizes or knots by the three usual rules.
+ * given, and chordal angles of three sizes or powers of chords.
  * The first of equally good minima is kept.
  *
  * How a curve bends near a point depends on how the intervals beside it
@@ -54,8 +54,9 @@ static const double PART_MIN = 1e-3, ANGLE = 0.5;
  * scale, where curves have a size of about 1. */
 static const double STRAIGHT = 1e-16;
 
-/* Starts, steps from each of them; of large data no more than WORK_MAX / n. */
-enum { STARTS = 6, STEPS_FIRST = 48, WORK_MAX = 200000 };
+/* Starts, steps from each of them, and more of E and MV: loops that grow have
+ * less and less of these.  Of large data no more than WORK_MAX / n. */
+enum { STARTS = 7, STEPS_FIRST = 32, STEPS_GROWING = 48, WORK_MAX = 200000 };
 
 /* Of the last search: how far second derivatives are from the diagonal, and how
  * many steps are taken with the same. */
@@ -345,8 +346,8 @@ static enum ph_status allocate(struct work *w) {
 /* Spacings of start number i; the first is what the data have. */
 static void start_of(const struct work *w, size_t i, const double *given,
                      double *spacing) {
-  static const double angle[STARTS] = {0, 0.4, 1, 1.8, 1, 1};
-  static const double power[STARTS] = {0, 1, 1, 1, 0.5, 0};
+  static const double angle[STARTS] = {0, 0.4, 1, 1.8, 1, 1, 1};
+  static const double power[STARTS] = {0, 1, 1, 1, 0.5, 0.25, 0};
   const struct ph_planar_data *d = w->data;
   if (i == 0) {
     memcpy(spacing, given, d->n * sizeof *spacing);
@@ -497,8 +498,9 @@ static enum ph_status finish(struct work *w, struct room *r, size_t steps_max,
 /* From every start to some digits, from the best of them to all. */
 static enum ph_status search(struct work *w, struct room *r,
                              struct ph_planar_min *report, bool *converged) {
+  bool grows = w->functional == PH_PLANAR_E || w->functional == PH_PLANAR_MV;
   size_t work = 1 + WORK_MAX / w->data->n;
-  size_t first = work < STEPS_FIRST ? work : STEPS_FIRST;
+  size_t first = grows ? STEPS_GROWING : STEPS_FIRST;
   struct ph_box box;
   struct ph_box_report found = {0};
   enum ph_status status = PH_OK;

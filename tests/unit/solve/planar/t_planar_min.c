@@ -304,13 +304,13 @@ PH_TEST(test_starts) {
   steps = 0;
   begin(TABLE, 4, false, false);
   ck_minimize(PH_PLANAR_IES, false);
-  ck_assert_uint_eq(report.evaluations, 1 + 3);
+  ck_assert_uint_eq(report.evaluations, 1 + 4);
   unit_planar_knots(&u, knots, 4);
   ck_minimize(PH_PLANAR_IES, false);
-  ck_assert_uint_eq(report.evaluations, 1 + 4);
+  ck_assert_uint_eq(report.evaluations, 1 + 5);
   begin(TABLE, 4, false, true);
   ck_minimize(PH_PLANAR_IES, false);
-  ck_assert_uint_eq(report.evaluations, 1 + 6);
+  ck_assert_uint_eq(report.evaluations, 1 + 7);
   steps = PH_PLANAR_STEPS_MAX;
 }
 
