@@ -85,7 +85,10 @@ bool ph_sym_reduce(double *a, size_t n, size_t k, size_t m) {
     if (!root(l, rows)) {
       return false;
     }
-    if (j + 1 == n) {
+    if (j + 1 == m) { /* one column, of an odd number */
+      for (size_t i = 1; i <= rows; i++, to += next) {
+        subtract(to, l[i], l + i, rows + 1 - i);
+      }
       break;
     }
     rows1 = least(k, n - 2 - j);

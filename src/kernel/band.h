@@ -33,7 +33,7 @@ static inline double *ph_sym_at(double *a, size_t k, size_t i, size_t j) {
 bool ph_sym_factor(double *a, size_t n, size_t k);
 
 /*
- * ph_sym_reduce: the same of the first m columns, an even number or n.
+ * ph_sym_reduce: the same of the first m columns.
  *
  * inout a  A; the first m columns of L, and what is left of A without them
  * ret   whether the first m rows and columns are positive definite

@@ -112,15 +112,19 @@ static void shape(struct unit_random *r, size_t *n, size_t *k) {
   *k = unit_random_below(r, *n + 6);
 }
 
-/* The first columns, then what is left, are the factor in sym, as rounded. */
+/* The first columns, then what is left, are the factor in sym; as rounded, of
+ * an even number of columns. */
 static void is_factored_in_parts(struct unit_random *r, size_t n, size_t k) {
   static double whole[N_MAX * (K_MAX + 1)];
-  size_t first = 2 * unit_random_below(r, n / 2 + 1);
+  size_t first = unit_random_below(r, n + 1), size = ph_sym_size(n, k);
+  bool even = first % 2 == 0;
   memcpy(whole, sym, ph_sym_size(n, k) * sizeof *sym);
   pack_sym(k);
   ck_assert(ph_sym_reduce(sym, n, k, first));
   ck_assert(ph_sym_factor(sym + ph_sym_size(first, k), n - first, k));
-  ck_assert_mem_eq(sym, whole, ph_sym_size(n, k) * sizeof *sym);
+  for (size_t i = 0; i < size; i++) {
+    ck_abs(sym[i], whole[i], even ? 0 : 1e-14 * (1 + (double)k));
+  }
 }
 
 PH_TEST(cholesky) {
