@@ -125,7 +125,8 @@ static void set_natural(const struct ph_arc_engine *e,
 }
 
 /* From where the rows begin; from a saddle, or nowhere, random waves lead away.
- * Where none leads to a minimum the curve is what comes nearest to one.
+ * Where none leads to a minimum the curve is what comes nearest to one.  F of
+ * exact lengths does not depend on it: what takes the fewest steps comes first.
  * false: no memory. */
 static bool solve_natural(struct ph_arc_system *s, struct ph_arc_engine *e,
                           struct ph_arc_natural *natural) {
@@ -138,7 +139,7 @@ static bool solve_natural(struct ph_arc_system *s, struct ph_arc_engine *e,
     if (!ph_arc_start(s, e->arena, e->point.x)) {
       return false;
     }
-    if (k == 0 && e->work.blocks.n > 0 &&
+    if (k == 0 && e->work.blocks.n > 0 && s->data->sigma > 0 &&
         !ph_arc_engine_is_smooth(e, e->point.x)) {
       first = 1;
     }
