@@ -398,13 +398,17 @@ static enum ph_status try_write(struct task *t,
   out->most = 0;
   out->piece = 0;
   if (status != PH_OK) {
-    ph_drawing_free(t->item->drawing);
-    t->item->drawing = NULL;
-    ph_free(t->item->panorama);
-    t->item->panorama = NULL;
     ph_buf_cut(out, start, PH_WORK_KEEP);
   }
   return status;
+}
+
+/* What fails at last is in no figure and no panorama. */
+static void drop_pictures(struct ph_item *item) {
+  ph_drawing_free(item->drawing);
+  item->drawing = NULL;
+  ph_free(item->panorama);
+  item->panorama = NULL;
 }
 
 /* The record of a failure. */
@@ -511,6 +515,7 @@ void ph_work(const struct ph_options *options, struct ph_worker *worker,
     item->status = try_write(&t, &heading, subject.id, out);
   }
   if (item->status != PH_OK) {
+    drop_pictures(item);
     write_failure(&t, &heading, out);
     subject.line = t.diag.line;
   }

@@ -202,6 +202,9 @@ phspline: 1 of 1 records failed' ''
 if "$PHSPLINE" planar -p x.svg nosuch.json 2>&1 | grep -q 'without cairo'; then
   echo 'skip figures: no cairo'
 else
+  # and under the address sanitizer no word of a leak
+  run bubble -q --format=stl -p figure.svg cube.json torus.json
+  equal 'stl: what is refused is not drawn' '1 1' "$status $(wc -l <err)"
   for jobs in 1 3; do
     run bubble -j $jobs -S continuity=0,1,2 -p $jobs.svg cube.json
     expect "a figure, $jobs jobs" 0
