@@ -164,6 +164,10 @@ static size_t left(const struct ph_budget *b) {
   return !b->bytes ? SIZE_MAX : b->used < b->bytes ? b->bytes - b->used : 0;
 }
 
+size_t ph_arena_left(const struct ph_arena *arena) {
+  return arena->budget ? left(arena->budget) : SIZE_MAX;
+}
+
 /* Takes bytes from the budget; false: it is spent. */
 static bool spend(struct ph_arena *arena, size_t bytes) {
   struct ph_budget *b = arena->budget;

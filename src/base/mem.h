@@ -67,6 +67,9 @@ struct ph_arena ph_arena_beside(const struct ph_arena *arena);
  * from step to step, and stops; it need not say why, as its caller knows. */
 bool ph_arena_late(const struct ph_arena *arena);
 
+/* ph_arena_left: the bytes that its budget has left; SIZE_MAX: any number. */
+size_t ph_arena_left(const struct ph_arena *arena);
+
 /*
  * What a part of the work on a record takes, which any thread may do beside
  * others: it is counted apart, up to what the record has left, until who began

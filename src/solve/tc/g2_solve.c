@@ -31,6 +31,7 @@ enum { NEWTON_MAX = 60, CONTINUED_MAX = 25, HALVINGS_MAX = 24 };
  * Newton's method for all goes on from there.
  */
 enum { LONG = 1024, BLOCK = 128, BESIDE = 24, BLOCKS_SHARED = 8 };
+enum { WIDE = BESIDE + BLOCK + BESIDE };
 
 /* Where Newton's method stops for all, nodes are hard whose residuals are this
  * part of the largest. */
@@ -229,102 +230,131 @@ static bool any_unknown(const struct ph_g2_system *s) {
   return false;
 }
 
-/* By either start, or by continuation from the second.
- * ret  PH_OK | PH_E_NO_CONVERGENCE | PH_E_NO_MEMORY, without a message */
-static enum ph_status find(struct ph_g2_system *s, struct ph_arena *arena) {
-  double *y;
+/* By either start, or by continuation from the second, for which y[nodes] is
+ * memory. */
+static bool find(struct ph_g2_system *s, double *y,
+                 const struct ph_arena *arena) {
   ph_g2_system_start(s, false);
   if (newton(s, NEWTON_MAX, HALVINGS_MAX, arena)) {
-    return PH_OK;
+    return true;
   }
   ph_g2_system_start(s, true);
-  if (newton(s, NEWTON_MAX, HALVINGS_MAX, arena)) {
-    return PH_OK;
-  }
-  y = ph_arena_array(arena, s->chain->nodes_n, sizeof *y);
-  return !y                       ? PH_E_NO_MEMORY
-         : continued(s, y, arena) ? PH_OK
-                                  : PH_E_NO_CONVERGENCE;
+  return newton(s, NEWTON_MAX, HALVINGS_MAX, arena) || continued(s, y, arena);
 }
 
 /* ---- blocks ---------------------------------------------------------------
  */
 
 struct block {
-  enum ph_status status;
+  bool found;
   size_t iterations;
+};
+
+/* What a thread has for one block after another. */
+struct bench {
+  struct ph_g2_chain part;
+  struct ph_g2_system own;
+  double *y;
 };
 
 struct blocks {
   struct ph_g2_system *s;
   struct block *block;
+  struct bench *bench; /* by thread */
 };
 
+static bool alloc_bench(struct bench *b, struct ph_arena *arena) {
+  struct ph_g2_chain *part = &b->part;
+  *part = (struct ph_g2_chain){.n = WIDE - 1, .nodes_n = WIDE};
+  b->own = (struct ph_g2_system){.chain = part};
+  part->node = ph_arena_array(arena, WIDE, sizeof *part->node);
+  part->span = ph_arena_array(arena, WIDE, sizeof *part->span);
+  b->y = ph_arena_array(arena, WIDE, sizeof *b->y);
+  return part->node && part->span && b->y &&
+         alloc_angles(&b->own.now, part, arena) && alloc_system(&b->own, arena);
+}
+
 /* The unknowns of nodes first to first + n - 1, between tangents of s->now. */
-static enum ph_status solve_block(struct ph_g2_system *s, size_t first,
-                                  size_t n, struct ph_arena *arena,
-                                  size_t *iterations) {
+static struct block solve_block(struct ph_g2_system *s, size_t first, size_t n,
+                                struct bench *bench) {
   const struct ph_g2_chain *c = s->chain;
   const size_t nodes = c->nodes_n, end = first + n;
   const size_t before = c->closed || first > BESIDE ? BESIDE : first;
   const size_t after = c->closed || end + BESIDE < nodes ? BESIDE : nodes - end;
-  struct ph_g2_chain part;
-  struct ph_g2_system own = {.chain = &part,
-                             .arena = arena,
-                             .h = 1,
-                             .smooth = {(double)NAN, (double)NAN}};
-  enum ph_status status;
-  if (!ph_g2_system_part(s, (first + nodes - before) % nodes,
-                         before + n + after - 1, arena, &part) ||
-      !alloc_angles(&own.now, &part, arena) || !alloc_system(&own, arena)) {
-    return PH_E_NO_MEMORY;
+  struct ph_g2_system *own = &bench->own;
+  bool found;
+  own->arena = s->arena;
+  own->h = 1;
+  own->smooth[0] = own->smooth[1] = (double)NAN;
+  own->iterations = 0;
+  ph_g2_system_part(s, (first + nodes - before) % nodes, before + n + after - 1,
+                    &bench->part);
+  ph_g2_system_begin(own);
+  found = find(own, bench->y, s->arena);
+  if (found) {
+    memcpy(s->now.y + first, own->now.y + before, n * sizeof *own->now.y);
   }
-  ph_g2_system_begin(&own);
-  status = find(&own, arena);
-  if (status == PH_OK) {
-    memcpy(s->now.y + first, own.now.y + before, n * sizeof *own.now.y);
-  }
-  *iterations = own.iterations;
-  return status;
+  return (struct block){found, own->iterations};
 }
 
 static bool solve_some_blocks(void *context, size_t thread, size_t first,
                               size_t end) {
   const struct blocks *b = context;
   const size_t nodes = b->s->chain->nodes_n;
-  (void)thread;
   for (size_t i = first; i < end; i++) {
-    struct ph_arena work = {0}; /* budgets are of one thread */
     const size_t from = i * BLOCK;
     if (ph_arena_late(b->s->arena)) {
-      b->block[i] = (struct block){PH_E_NO_CONVERGENCE, 0};
+      b->block[i] = (struct block){false, 0};
       continue;
     }
-    b->block[i].status =
+    b->block[i] =
         solve_block(b->s, from, nodes - from < BLOCK ? nodes - from : BLOCK,
-                    &work, &b->block[i].iterations);
-    ph_arena_free(&work);
+                    &b->bench[thread]);
   }
   return true;
 }
 
+/* All blocks, by as many threads as there is memory for, or by one.
+ * ret  false: there is none for one */
+static bool solve_blocks(struct blocks *b, size_t n, struct ph_arena *arena) {
+  const size_t taken = arena->taken;
+  atomic_int *spare = arena->budget ? arena->budget->spare : NULL;
+  struct bench bench[PH_TEAM_MAX];
+  size_t threads, ready = 1;
+  b->bench = bench;
+  if (!alloc_bench(&bench[0], arena)) {
+    return false;
+  }
+  const size_t size = arena->taken - taken;
+  threads = ph_team_take(spare, n / BLOCKS_SHARED);
+  while (ready < threads && size <= ph_arena_left(arena) &&
+         alloc_bench(&bench[ready], arena)) {
+    ready++;
+  }
+  for (; threads > ready; threads--) {
+    ph_team_leave(spare);
+  }
+  ph_team_spread(spare, threads, n, 1, solve_some_blocks, b);
+  return true;
+}
+
 /* Marks blocks without a solution, and counts iterations: the most of any.
- * ret  PH_OK if there are none, or as find */
-static enum ph_status judge_blocks(struct ph_g2_system *s,
-                                   const struct block *block, size_t n) {
+ * ret  whether there are none */
+static bool judge_blocks(struct ph_g2_system *s, const struct block *block,
+                         size_t n) {
   const struct ph_g2_chain *c = s->chain;
-  enum ph_status status = PH_OK;
+  bool good = true;
   size_t most = 0;
   for (size_t i = 0; i < n; i++) {
     const size_t end = i + 1 < n ? (i + 1) * BLOCK : c->n;
     most = block[i].iterations > most ? block[i].iterations : most;
-    if (block[i].status != PH_OK) {
+    if (!block[i].found) {
       ph_g2_mark(c, i * BLOCK, end < c->n ? end : c->n, PH_G2_HARD);
-      status = status == PH_E_NO_MEMORY ? status : block[i].status;
+      good = false;
     }
   }
   s->iterations += most;
-  return status;
+  return good;
 }
 
 /* Marks the spans beside residuals that are large. */
@@ -344,39 +374,47 @@ static void mark_residuals(const struct ph_g2_system *s) {
 static enum ph_status find_long(struct ph_g2_system *s,
                                 struct ph_arena *arena) {
   const size_t n = (s->chain->nodes_n + BLOCK - 1) / BLOCK;
-  struct blocks b = {s, ph_arena_array(arena, n, sizeof *b.block)};
-  enum ph_status status;
+  struct blocks b = {.s = s};
   ph_g2_system_start(s, false);
   if (newton(s, NEWTON_MAX, 0, arena)) {
     return PH_OK;
   }
+  b.block = ph_arena_array(arena, n, sizeof *b.block);
   if (!b.block) {
     return PH_E_NO_MEMORY;
   }
   ph_g2_system_start(s, false);
   (void)ph_g2_system_evaluate(s); /* the tangents between blocks */
-  ph_team_share(arena, n, BLOCKS_SHARED, 1, solve_some_blocks, &b);
-  status = judge_blocks(s, b.block, n);
-  if (status == PH_OK && !newton(s, NEWTON_MAX, HALVINGS_MAX, arena)) {
-    mark_residuals(s);
-    status = PH_E_NO_CONVERGENCE;
+  if (!solve_blocks(&b, n, arena)) {
+    return PH_E_NO_MEMORY;
   }
-  return status;
+  if (!judge_blocks(s, b.block, n)) {
+    return PH_E_NO_CONVERGENCE;
+  }
+  if (!newton(s, NEWTON_MAX, HALVINGS_MAX, arena)) {
+    mark_residuals(s);
+    return PH_E_NO_CONVERGENCE;
+  }
+  return PH_OK;
 }
 
 static enum ph_status find_any(struct ph_g2_system *s, struct ph_arena *arena) {
-  enum ph_status status;
+  double *y;
   if (!any_unknown(s)) {
     return ph_g2_system_evaluate(s) ? PH_OK : PH_E_NO_CONVERGENCE;
   }
   if (s->chain->nodes_n > LONG) {
     return find_long(s, arena);
   }
-  status = find(s, arena);
-  if (status == PH_E_NO_CONVERGENCE) {
-    ph_g2_mark(s->chain, 0, s->chain->n, PH_G2_HARD);
+  y = ph_arena_array(arena, s->chain->nodes_n, sizeof *y);
+  if (!y) {
+    return PH_E_NO_MEMORY;
   }
-  return status;
+  if (!find(s, y, arena)) {
+    ph_g2_mark(s->chain, 0, s->chain->n, PH_G2_HARD);
+    return PH_E_NO_CONVERGENCE;
+  }
+  return PH_OK;
 }
 
 /* ---- ends -----------------------------------------------------------------

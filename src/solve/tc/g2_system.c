@@ -90,19 +90,18 @@ static void end_part(struct ph_g2_node *node, double angle) {
   node->turn = node->sign < 0 ? -angle : angle;
 }
 
-bool ph_g2_system_part(const struct ph_g2_system *s, size_t first, size_t n,
-                       struct ph_arena *arena, struct ph_g2_chain *part) {
+void ph_g2_system_part(const struct ph_g2_system *s, size_t first, size_t n,
+                       struct ph_g2_chain *part) {
   const struct ph_g2_chain *c = s->chain;
   const size_t last = (first + n) % c->nodes_n;
+  struct ph_g2_node *node = part->node;
+  struct ph_g2_span *span = part->span;
   *part = *c;
   part->closed = false;
   part->n = n;
   part->nodes_n = n + 1;
-  part->node = ph_arena_array(arena, n + 1, sizeof *part->node);
-  part->span = ph_arena_array(arena, n, sizeof *part->span);
-  if (!part->node || !part->span) {
-    return false;
-  }
+  part->node = node;
+  part->span = span;
   for (size_t k = 0; k <= n; k++) {
     part->node[k] = c->node[(first + k) % c->nodes_n];
   }
@@ -117,7 +116,6 @@ bool ph_g2_system_part(const struct ph_g2_system *s, size_t first, size_t n,
     part->given[1] = true;
     end_part(&part->node[n], s->now.before[last]);
   }
-  return true;
 }
 
 /* ---- starts ---------------------------------------------------------------

@@ -65,10 +65,10 @@ void ph_g2_system_begin(struct ph_g2_system *s);
  * ph_g2_system_part: the chain of n spans from node `first` on, between the
  * tangents of s->now.
  *
- * ret  false: memory is exhausted
+ * inout  part  has room for n + 1 nodes and n spans
  */
-bool ph_g2_system_part(const struct ph_g2_system *s, size_t first, size_t n,
-                       struct ph_arena *arena, struct ph_g2_chain *part);
+void ph_g2_system_part(const struct ph_g2_system *s, size_t first, size_t n,
+                       struct ph_g2_chain *part);
 
 /* ph_g2_system_start: unknowns s->now.y for the iteration to begin with: from
  * circles through three points, or from halves of the turns. */

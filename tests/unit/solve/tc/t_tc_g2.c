@@ -2,12 +2,16 @@
 /*
  * Spans of curvature-continuous cubics: their curvatures and derivatives
  * against the cubics themselves and differences, and where there are none; that
- * the system has several solutions beyond what is proved of it.
+ * the system has several solutions beyond what is proved of it; what memory is
+ * counted for it.
  */
+#include "problem_unit.h"
 #include "unit.h"
 
 #include "kernel/pi.h"
 #include "solve/tc/g2.h"
+
+#include <string.h>
 
 /* ---- one cubic ----------------------------------------------------------- */
 
@@ -161,4 +165,90 @@ PH_TEST_EACH(test_not_unique, COUNT(PARTS)) {
     worst = fmax(worst, fabs(before.g - after.f));
   }
   ck_abs(worst, 0, 1e-8);
+}
+
+/* ---- the memory of blocks ------------------------------------------------ */
+
+enum { LONG = 2000, HARD = 300, BESIDE_AND_BLOCK = 176 };
+
+/* LONG turns of 0.2 to the left on chords of 1, but for some from `hard' on,
+ * which are to both sides on chords whose lengths are far apart: Newton's
+ * method fails there, for all at once. */
+static void set_spiral(double *points, size_t hard) {
+  struct unit_random r = unit_random_of(4);
+  ph_cplx p = {0, 0};
+  double angle = 0;
+  for (size_t k = 0; k <= LONG; k++) {
+    const bool is_hard = k >= hard && k < hard + HARD;
+    const double chord = is_hard ? exp(unit_random_in(&r, -1, 1)) : 1;
+    points[2 * k] = p.re;
+    points[2 * k + 1] = p.im;
+    angle += is_hard ? unit_random_in(&r, -1, 1) : 0.2;
+    p = ph_cplx_add(p, ph_cplx_scale(chord, ph_cplx_polar(angle)));
+  }
+}
+
+/* With so many bytes for the angles of the chain, and threads to spare. */
+static enum ph_status solve_within(const struct ph_g2_chain *chain,
+                                   size_t bytes, int threads) {
+  atomic_int spare = threads;
+  struct ph_budget budget = {.spare = &spare};
+  struct ph_arena arena = {.budget = &budget};
+  struct ph_g2_solution solution;
+  struct ph_diag diag;
+  enum ph_status status;
+  ph_budget_start(&budget, bytes, 0);
+  status = ph_g2_solve(chain, PH_G2_CIRCLE, &arena, &solution, &diag);
+  ck_assert_int_eq(atomic_load(&spare), threads);
+  ck_assert_uint_eq(budget.needed > 0, status == PH_E_NO_MEMORY);
+  ph_arena_free(&arena);
+  return status;
+}
+
+/* The least that is enough, to 16 bytes. */
+static size_t least_for(const struct ph_g2_chain *chain, int threads) {
+  size_t low = 0, high = 1 << 21;
+  ck_assert_int_eq(solve_within(chain, high, threads), PH_OK);
+  while (high - low > 16) {
+    const size_t middle = (low + high) / 2;
+    if (solve_within(chain, middle, threads) == PH_OK) {
+      high = middle;
+    } else {
+      low = middle;
+    }
+  }
+  return high;
+}
+
+static size_t least_of_spiral(size_t hard, int threads) {
+  static double points[2 * (LONG + 1)];
+  struct ph_problem problem = {.field = {{.kind = PH_ABSENT}}};
+  struct ph_tc_data data;
+  struct ph_g2_chain chain;
+  struct ph_diag diag;
+  const ph_cplx free_ends[2] = {{(double)NAN, 0}, {(double)NAN, 0}};
+  unsigned char *marks = ph_arena_array(&unit_arena, 2 * (LONG + 1), 1);
+  set_spiral(points, hard);
+  memset(marks, 0, 2 * (LONG + 1));
+  unit_set_array(&problem, PH_F_POINTS, points, LONG + 1, 2);
+  ck_assert_int_eq(ph_tc_data_of(&problem, PH_TC_G2, &unit_arena, &data, &diag),
+                   PH_OK);
+  chain = (struct ph_g2_chain){
+      .data = &data, .loose = marks, .hard = marks + LONG + 1};
+  ck_assert_int_eq(
+      ph_g2_chain_of(0, LONG, free_ends, &unit_arena, &chain, &diag), PH_OK);
+  ck_assert_int_eq(ph_g2_plan(&chain, false, &unit_arena, &diag), PH_OK);
+  ck_assert_uint_eq(chain.n, LONG);
+  return least_for(&chain, threads);
+}
+
+/* What blocks are solved in counts for the budget, and more threads take no
+ * more than there is: the least is that of one. */
+PH_TEST(test_blocks_in_budget) {
+  const size_t easy = least_of_spiral(LONG, 0), hard = least_of_spiral(999, 0);
+  ck_assert_uint_ge(hard - easy,
+                    BESIDE_AND_BLOCK *
+                        (sizeof(struct ph_g2_node) + sizeof(struct ph_g2_span) +
+                         sizeof(struct ph_g2_ends)));
+  ck_assert_uint_eq(least_of_spiral(999, 3), hard);
 }
