@@ -194,15 +194,24 @@ static void solve_tail(ph_cplx a[TAIL][TAIL + 1], size_t m, ph_cplx *x) {
   }
 }
 
-void ph_tri_finish(struct ph_tri *t, ph_cplx *x) {
-  ph_cplx a[TAIL][TAIL + 1];
+/* Where x[k] stands. */
+static inline ph_cplx *place(struct ph_tri *t, ph_cplx *x, size_t k) {
+  return x ? &x[k] : &t->pivot[k].f;
+}
+
+static inline void finish(struct ph_tri *t, ph_cplx *x) {
+  ph_cplx a[TAIL][TAIL + 1], tail[TAIL];
   ph_cplx e, l, next;
+  const size_t tail_n = t->n - t->stop;
   size_t fill_n = t->fill_n;
   gather_tail(t, a);
-  solve_tail(a, t->n - t->stop, x + t->stop);
-  e = x[t->n - 2];
-  l = x[t->n - 1];
-  next = x[t->stop];
+  solve_tail(a, tail_n, tail);
+  for (size_t k = 0; k < tail_n; k++) {
+    *place(t, x, t->stop + k) = tail[k];
+  }
+  e = tail[tail_n - 2];
+  l = tail[tail_n - 1];
+  next = tail[0];
   for (size_t k = t->stop; k-- > 0;) {
     const struct ph_tri_pivot *p = &t->pivot[k];
     ph_cplx sum = p->f;
@@ -211,9 +220,18 @@ void ph_tri_finish(struct ph_tri *t, ph_cplx *x) {
       sum = ph_cplx_sub(sum, ph_cplx_mul(t->far[2 * k + 1], l));
     }
     if (fill_n > 0 && t->fill[fill_n - 1].k == k) {
-      sum = ph_cplx_sub(sum, ph_cplx_mul(t->fill[--fill_n].c2, x[k + 2]));
+      sum = ph_cplx_sub(sum,
+                        ph_cplx_mul(t->fill[--fill_n].c2, *place(t, x, k + 2)));
     }
     next = ph_cplx_sub(sum, ph_cplx_mul(p->c1, next));
-    x[k] = next;
+    *place(t, x, k) = next;
   }
+}
+
+void ph_tri_finish(struct ph_tri *t, ph_cplx *x) {
+  finish(t, x);
+}
+
+void ph_tri_finish_here(struct ph_tri *t) {
+  finish(t, NULL);
 }

@@ -115,4 +115,8 @@ static inline void ph_tri_push(struct ph_tri *t, const struct ph_tri_row *row) {
  */
 void ph_tri_finish(struct ph_tri *t, ph_cplx *x);
 
+/* ph_tri_finish_here: the same, once, in the place of the right-hand side:
+ * x[k] is t->pivot[k].f. */
+void ph_tri_finish_here(struct ph_tri *t);
+
 #endif

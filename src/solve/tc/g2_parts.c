@@ -72,7 +72,8 @@ struct search {
   bool may_add;
   enum ph_g2_rule rule;
   struct ph_arena *arena; /* of the parts, */
-  struct ph_arena work;   /* and of what is not needed after the search */
+  struct ph_arena work;   /* of what is not needed after the search, */
+  struct ph_arena round;  /* or while parts are solved */
   struct ph_diag *diag;
   struct bent *pair, *here; /* [n] of the pair of the mode spline; as it is */
   atomic_bool no_pair;      /* an interval has none */
@@ -434,30 +435,44 @@ static enum ph_status leave_lines(struct search *s, struct ph_g2_parts *parts) {
   return status == PH_E_NO_MEMORY ? status : PH_OK;
 }
 
+/* Memory for what intervals are; while parts are solved there is none. */
+static enum ph_status begin_round(struct search *s) {
+  const size_t n = s->data->n;
+  s->here = ph_arena_array(&s->round, n, sizeof *s->here);
+  if (!s->here) {
+    return ph_fail_memory(s->diag);
+  }
+  memset(s->here, 0, n * sizeof *s->here);
+  return PH_OK;
+}
+
 /* With pairs where they are needed. */
 static enum ph_status improve(struct search *s, struct ph_g2_parts *parts) {
   const size_t n = s->data->n;
-  enum ph_status status = PH_OK;
+  enum ph_status status;
   s->pair = ph_arena_array(&s->work, n, sizeof *s->pair);
-  s->here = ph_arena_array(&s->work, n, sizeof *s->here);
   s->mark = ph_arena_array(&s->work, n, 1);
   s->line = ph_arena_array(&s->work, s->data->points_n, 1);
-  if (!s->pair || !s->here || !s->mark || !s->line) {
+  if (!s->pair || !s->mark || !s->line) {
     return ph_fail_memory(s->diag);
   }
   memset(s->mark, 0, n);
-  memset(s->here, 0, n * sizeof *s->here);
   if (!measure_pairs(s)) {
     return parts->part[0].solved ? PH_OK : s->diag->status;
   }
-  if (parts->part[0].solved) {
+  status = begin_round(s);
+  if (status == PH_OK && parts->part[0].solved) {
     status = leave_lines(s, parts);
   }
   for (size_t round = 0; status == PH_OK && mark(s, parts); round++) {
     if (round == ROUNDS_MAX) {
       memset(s->mark, 1, n);
     }
+    ph_arena_free(&s->round);
     status = cut(s, parts);
+    if (status == PH_OK) {
+      status = begin_round(s);
+    }
   }
   return status;
 }
@@ -494,6 +509,7 @@ enum ph_status ph_g2_parts_of(const struct ph_problem *problem,
                                                                 : PH_G2_CIRCLE,
       .arena = arena,
       .work = ph_arena_beside(arena),
+      .round = ph_arena_beside(arena),
       .diag = diag};
   enum ph_status status;
   parts->n = 1;
@@ -508,5 +524,6 @@ enum ph_status ph_g2_parts_of(const struct ph_problem *problem,
   parts->part[0] = (struct ph_g2_part){.n = data->n};
   status = find_parts(&s, problem, parts);
   ph_arena_free(&s.work);
+  ph_arena_free(&s.round);
   return status;
 }

@@ -54,10 +54,11 @@ static double newton_step(struct ph_g2_system *s) {
     row = ph_g2_system_row(s, k);
     ph_tri_push(&s->tri, &row);
   }
-  ph_tri_finish(&s->tri, s->x);
+  ph_tri_finish_here(&s->tri);
   for (size_t k = 0; k < n; k++) {
-    largest = fmax(largest, fabs(s->x[k].re));
-    sum += s->x[k].re - s->x[k].re;
+    const double x = ph_g2_system_step(s, k);
+    largest = fmax(largest, fabs(x));
+    sum += x - x;
   }
   return largest + sum;
 }
@@ -76,7 +77,7 @@ static bool descend(struct ph_g2_system *s, double largest, size_t halvings) {
   swap_unknowns(s);
   for (size_t halving = 0; halving <= halvings; halving++, part /= 2) {
     for (size_t k = 0; k < s->chain->nodes_n; k++) {
-      s->now.y[k] = s->last[k] + part * s->x[k].re;
+      s->now.y[k] = s->last[k] + part * ph_g2_system_step(s, k);
     }
     if (ph_g2_system_evaluate(s) &&
         sqrt(s->now.norm2) <= (1 - ARMIJO * part) * before) {
@@ -216,8 +217,7 @@ static bool alloc_system(struct ph_g2_system *s, struct ph_arena *arena) {
   s->last = ph_arena_array(arena, nodes, sizeof *s->last);
   s->log_length = ph_arena_array(arena, c->n, sizeof *s->log_length);
   s->kind = ph_arena_array(arena, nodes, sizeof *s->kind);
-  s->x = ph_arena_array(arena, nodes, sizeof *s->x);
-  return s->last && s->log_length && s->kind && s->x &&
+  return s->last && s->log_length && s->kind &&
          alloc_state(&s->now, c, arena) && ph_tri_alloc(&s->tri, arena, nodes);
 }
 

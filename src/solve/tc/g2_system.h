@@ -51,7 +51,6 @@ struct ph_g2_system {
   double smooth[2];             /* angles at the ends; NaN where the rule is */
   unsigned char *kind;          /* [nodes] enum ph_g2_kind */
   double *log_length;           /* [n] */
-  ph_cplx *x;                   /* [nodes] the step, in its real parts */
   double *last;                 /* [nodes] unknowns that it begins at */
   struct ph_g2_state now;
   struct ph_tri tri;
@@ -86,5 +85,10 @@ double ph_g2_system_residual(const struct ph_g2_system *s, size_t k);
 
 /* ph_g2_system_row: of Newton's method, at s->now. */
 struct ph_tri_row ph_g2_system_row(const struct ph_g2_system *s, size_t k);
+
+/* ph_g2_system_step: of the unknown of node k, after ph_tri_finish_here. */
+static inline double ph_g2_system_step(const struct ph_g2_system *s, size_t k) {
+  return s->tri.pivot[k].f.re;
+}
 
 #endif

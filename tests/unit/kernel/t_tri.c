@@ -43,6 +43,12 @@ static void solve(const struct ph_tri_row *row, size_t n, ph_cplx *x) {
     ph_tri_push(&tri, &row[i]);
   }
   ph_tri_finish(&tri, x);
+  ph_tri_finish_here(&tri);
+  for (size_t k = 0; k < n; k++) {
+    const ph_cplx y = tri.pivot[k].f;
+    ck_assert(unit_distance(x[k], y) <= 0 ||
+              (!ph_cplx_is_finite(x[k]) && !ph_cplx_is_finite(y)));
+  }
 }
 
 /* Largest |A x - f| of a row in units of the sum of its terms' sizes. */
