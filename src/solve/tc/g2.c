@@ -22,8 +22,8 @@ struct builder {
   const struct ph_g2_chain *chain; /* of the part that is being built */
   const struct ph_g2_solution *s;
   struct ph_curve *curve;
-  struct ph_interval *intervals;
-  struct ph_sum length, part;
+  size_t *start; /* [intervals] the first cubic of each */
+  struct ph_sum length;
   size_t interval; /* that is being built, */
   size_t first;    /* from this cubic on */
   double ratio;    /* of outer legs, the largest or its inverse */
@@ -63,7 +63,6 @@ static void put(struct builder *b, const struct ph_tc *tc, ph_cplx from,
   curve->knots[i + 1] = (double)(i + 1);
   b->ratio = fmax(b->ratio, fmax(ratio, 1 / ratio));
   ph_sum_add(&b->length, curve->lengths[i]);
-  ph_sum_add(&b->part, curve->lengths[i]);
 }
 
 /* The curvature at an end of cubic i, in the unit of the data. */
@@ -155,26 +154,19 @@ static void describe_node(struct builder *b, size_t i, size_t first) {
   }
 }
 
-/* What is built from here on is of the next interval. */
+/* An interval is complete; what is built from here on is of the next. */
 static void next_interval(struct builder *b) {
-  b->part = (struct ph_sum){0, 0};
+  b->start[b->interval] = b->first;
   b->first = b->curve->n;
   b->interval = b->interval + 1 < b->data->n ? b->interval + 1 : 0;
 }
 
-/* The interval of the data is complete whose last span is i. */
+/* An interval of the data may be complete whose last span is i. */
 static void end_interval(struct builder *b, size_t i) {
   const struct ph_g2_chain *c = b->chain;
-  struct ph_interval *interval = &b->intervals[b->interval];
-  size_t next = ph_g2_next(c, i);
-  if (c->node[next].datum == PH_G2_ADDED) {
-    return;
+  if (c->node[ph_g2_next(c, i)].datum != PH_G2_ADDED) {
+    next_interval(b);
   }
-  *interval = PH_INTERVAL_NONE;
-  interval->length = ph_sum_value(&b->part);
-  interval->first = b->first;
-  interval->last = b->curve->n - 1;
-  next_interval(b);
 }
 
 static void build_chain(struct builder *b, const struct ph_g2_part *part) {
@@ -195,10 +187,8 @@ static void build_chain(struct builder *b, const struct ph_g2_part *part) {
 
 /* The pair of the mode spline. */
 static void build_pair(struct builder *b, const struct ph_g2_part *part) {
-  struct ph_tc_builder pair = {.data = b->data,
-                               .curve = b->curve,
-                               .intervals = b->intervals,
-                               .done = b->interval};
+  struct ph_tc_builder pair = {
+      .data = b->data, .curve = b->curve, .done = b->interval};
   size_t first = b->curve->n;
   ph_tc_build_add(&pair, &part->fit);
   for (size_t i = first; i < b->curve->n; i++) {
@@ -253,7 +243,7 @@ static void begin_with_data(struct builder *b) {
   struct ph_g2 *g2 = &curve->g2;
   const size_t n = curve->n, number = sizeof(double);
   double *p = curve->control_points;
-  const size_t by = b->intervals[0].first;
+  const size_t by = b->start[0];
   size_t joints = 0, added = 0;
   if (by == 0) {
     return;
@@ -263,8 +253,7 @@ static void begin_with_data(struct builder *b) {
   turn(curve->preimage.v, n, 4 * number, by);
   turn(curve->lengths, n, number, by);
   for (size_t i = 0; i < b->data->n; i++) {
-    b->intervals[i].first = (b->intervals[i].first + n - by) % n;
-    b->intervals[i].last = (b->intervals[i].last + n - by) % n;
+    b->start[i] = (b->start[i] + n - by) % n;
   }
   for (size_t i = 0; i < g2->joints_n; i++) {
     joints += g2->joints[i].segment < by;
@@ -302,10 +291,10 @@ static size_t count(const struct ph_g2_parts *parts, size_t *joints,
   return cubics;
 }
 
+/* All but what intervals are. */
 static enum ph_status build(struct builder *b, const struct ph_g2_parts *parts,
-                            struct ph_arena *out, struct ph_result *result,
-                            struct ph_diag *diag) {
-  struct ph_curve *curve = &result->curve;
+                            struct ph_arena *out, struct ph_arena *scratch,
+                            struct ph_curve *curve, struct ph_diag *diag) {
   size_t joints, added, cubics = count(parts, &joints, &added);
   *curve = (struct ph_curve){.kind = PH_CURVE_TC,
                              .closed = b->data->closed,
@@ -316,10 +305,10 @@ static enum ph_status build(struct builder *b, const struct ph_g2_parts *parts,
                              .preimage.n = 2,
                              .preimage.dimension = 2};
   b->curve = curve;
-  b->intervals = ph_arena_array(out, b->data->n, sizeof *b->intervals);
+  b->start = ph_arena_array(scratch, b->data->n, sizeof *b->start);
   curve->g2.joints = ph_arena_array(out, joints, sizeof *curve->g2.joints);
   curve->g2.auxiliary = ph_arena_array(out, added, sizeof *curve->g2.auxiliary);
-  if (!b->intervals || !curve->g2.joints || !curve->g2.auxiliary ||
+  if (!b->start || !curve->g2.joints || !curve->g2.auxiliary ||
       ph_curve_alloc(curve, out, diag) != PH_OK) {
     return ph_fail_memory(diag);
   }
@@ -334,8 +323,39 @@ static enum ph_status build(struct builder *b, const struct ph_g2_parts *parts,
   }
   begin_with_data(b);
   curve->length = ph_sum_value(&b->length);
-  result->intervals = b->intervals;
-  result->intervals_n = b->data->n;
+  return PH_OK;
+}
+
+/* What intervals are, from the curve and the pairs. */
+static enum ph_status set_intervals(const struct builder *b,
+                                    const struct ph_g2_parts *parts,
+                                    struct ph_arena *out,
+                                    struct ph_result *result,
+                                    struct ph_diag *diag) {
+  const size_t n = b->data->n;
+  struct ph_interval *interval = ph_arena_array(out, n, sizeof *interval);
+  if (!interval) {
+    return ph_fail_memory(diag);
+  }
+  for (size_t i = 0; i < n; i++) {
+    const size_t end = i + 1 < n ? b->start[i + 1] : b->curve->n;
+    struct ph_sum length = {0, 0};
+    for (size_t k = b->start[i]; k < end; k++) {
+      ph_sum_add(&length, b->curve->lengths[k]);
+    }
+    interval[i] = PH_INTERVAL_NONE;
+    interval[i].length = ph_sum_value(&length);
+    interval[i].first = b->start[i];
+    interval[i].last = end - 1;
+  }
+  for (size_t k = 0; k < parts->n; k++) {
+    const struct ph_g2_part *part = &parts->part[k];
+    if (part->pair) {
+      ph_tc_describe(&part->fit, &interval[part->first]);
+    }
+  }
+  result->intervals = interval;
+  result->intervals_n = n;
   return PH_OK;
 }
 
@@ -381,10 +401,10 @@ static void warn(struct ph_result *result, const struct builder *b) {
             g2->auxiliary_n, g2->auxiliary_n > 1 ? "s were" : " was",
             g2->auxiliary[0]);
   }
-  while (pair + 1 < b->data->n && b->intervals[pair].root == PH_ROOT_N) {
+  while (pair + 1 < b->data->n && result->intervals[pair].root == PH_ROOT_N) {
     pair++; /* intervals of chains have none */
   }
-  pair = b->pairs > 0 ? b->intervals[pair].first : 0;
+  pair = b->pairs > 0 ? result->intervals[pair].first : 0;
   if (b->pairs > 0) {
     ph_warn(result, pair, PH_W_SPLINE_PAIRS,
             "the curvature jumps in and beside %zu interval%s with the cubics "
@@ -412,9 +432,15 @@ enum ph_status ph_tc_g2(const struct ph_problem *problem,
                         struct ph_diag *diag) {
   struct ph_g2_parts parts;
   struct builder b = {.data = data, .ratio = 1};
-  enum ph_status status = ph_g2_parts_of(problem, data, scratch, &parts, diag);
+  struct ph_arena chains = ph_arena_beside(scratch);
+  enum ph_status status =
+      ph_g2_parts_of(problem, data, scratch, &chains, &parts, diag);
   if (status == PH_OK) {
-    status = build(&b, &parts, out, result, diag);
+    status = build(&b, &parts, out, scratch, &result->curve, diag);
+  }
+  ph_arena_free(&chains);
+  if (status == PH_OK) {
+    status = set_intervals(&b, &parts, out, result, diag);
   }
   if (status == PH_OK) {
     double iterations = 0, residual = 0;

@@ -243,11 +243,12 @@ struct ph_g2_parts {
  * ph_g2_parts_of: one part, or more where the curve would bend more than that
  * of the mode spline, or is not found.
  *
+ * inout  chains  the memory of the chains of the parts and of their solutions
  * ret  PH_OK | PH_E_INFEASIBLE | PH_E_NO_CONVERGENCE | PH_E_NO_MEMORY
  */
 enum ph_status ph_g2_parts_of(const struct ph_problem *problem,
                               const struct ph_tc_data *data,
-                              struct ph_arena *arena, struct ph_g2_parts *parts,
-                              struct ph_diag *diag);
+                              struct ph_arena *arena, struct ph_arena *chains,
+                              struct ph_g2_parts *parts, struct ph_diag *diag);
 
 #endif

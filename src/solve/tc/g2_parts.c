@@ -71,9 +71,10 @@ struct search {
   struct ph_tc_data spline; /* the same, of the mode spline */
   bool may_add;
   enum ph_g2_rule rule;
-  struct ph_arena *arena; /* of the parts, */
-  struct ph_arena work;   /* of what is not needed after the search, */
-  struct ph_arena round;  /* or while parts are solved */
+  struct ph_arena *arena;  /* of the parts, */
+  struct ph_arena *chains; /* of their chains and angles, */
+  struct ph_arena work;    /* of what is not needed after the search, */
+  struct ph_arena round;   /* or while parts are solved */
   struct ph_diag *diag;
   struct bent *pair, *here; /* [n] of the pair of the mode spline; as it is */
   atomic_bool no_pair;      /* an interval has none */
@@ -150,7 +151,7 @@ static enum ph_status solve_part(struct search *s, struct ph_g2_part *part,
   part->chain =
       (struct ph_g2_chain){.data = d, .loose = s->loose, .hard = s->hard};
   status = ph_g2_find(part->first, part->n, d->closed && only ? NULL : tangent,
-                      s->may_add, s->rule, s->arena, &part->chain,
+                      s->may_add, s->rule, s->chains, &part->chain,
                       &part->solution, diag);
   part->solved = status == PH_OK;
   if (status == PH_E_NO_CONVERGENCE && ph_arena_late(s->arena)) {
@@ -500,14 +501,15 @@ static enum ph_status find_parts(struct search *s,
 
 enum ph_status ph_g2_parts_of(const struct ph_problem *problem,
                               const struct ph_tc_data *data,
-                              struct ph_arena *arena, struct ph_g2_parts *parts,
-                              struct ph_diag *diag) {
+                              struct ph_arena *arena, struct ph_arena *chains,
+                              struct ph_g2_parts *parts, struct ph_diag *diag) {
   struct search s = {
       .data = data,
       .may_add = !ph_value_is(&problem->field[PH_F_AUXILIARY], "never"),
       .rule = ph_value_is(&problem->field[PH_F_ENDS], "smooth") ? PH_G2_SMOOTH
                                                                 : PH_G2_CIRCLE,
       .arena = arena,
+      .chains = chains,
       .work = ph_arena_beside(arena),
       .round = ph_arena_beside(arena),
       .diag = diag};

@@ -294,6 +294,14 @@ static ph_cplx joint_of(const struct ph_tc_fit *fit) {
                     before.im - share * (before.im + after.im));
 }
 
+void ph_tc_describe(const struct ph_tc_fit *fit, struct ph_interval *interval) {
+  interval->root = fit->root;
+  interval->ratio = fit->ratio;
+  interval->lambda = fit->lambda;
+  interval->joint_angle = fit->joint_angle;
+  interval->joint_position = fit->joint_position;
+}
+
 static void describe(struct ph_tc_builder *b, const struct ph_tc_fit *fit,
                      double length) {
   struct ph_interval *interval = &b->intervals[b->done];
@@ -301,11 +309,7 @@ static void describe(struct ph_tc_builder *b, const struct ph_tc_fit *fit,
   interval->length = length;
   interval->first = b->curve->n - fit->n;
   interval->last = b->curve->n - 1;
-  interval->root = fit->root;
-  interval->ratio = fit->ratio;
-  interval->lambda = fit->lambda;
-  interval->joint_angle = fit->joint_angle;
-  interval->joint_position = fit->joint_position;
+  ph_tc_describe(fit, interval);
 }
 
 void ph_tc_build_add(struct ph_tc_builder *b, const struct ph_tc_fit *fit) {
@@ -334,7 +338,9 @@ void ph_tc_build_add(struct ph_tc_builder *b, const struct ph_tc_fit *fit) {
     from = to;
   }
   b->residual = fmax(b->residual, ph_cplx_abs(missed) / over_chord);
-  describe(b, fit, ph_sum_value(&sum));
+  if (b->intervals) {
+    describe(b, fit, ph_sum_value(&sum));
+  }
   b->done++;
 }
 

@@ -364,7 +364,7 @@ static inline void ph_tc_crossings_see(struct ph_tc_crossings *crossings,
 struct ph_tc_builder {
   const struct ph_tc_data *data;
   struct ph_curve *curve;
-  struct ph_interval *intervals; /* [data->n] */
+  struct ph_interval *intervals; /* [data->n]; NULL: they are not wanted */
   size_t done;                   /* intervals */
   struct ph_sum length;
   double residual; /* the largest misfit of an end / length of the interval */
@@ -383,6 +383,10 @@ enum ph_status ph_tc_build_begin(struct ph_tc_builder *builder,
 /* ph_tc_build_add: the next interval. */
 void ph_tc_build_add(struct ph_tc_builder *builder,
                      const struct ph_tc_fit *fit);
+
+/* ph_tc_describe: of an interval, what its fit says: all but its length and its
+ * segments. */
+void ph_tc_describe(const struct ph_tc_fit *fit, struct ph_interval *interval);
 
 /* ph_tc_build_end: the length, and the diagnostics of the solver. */
 void ph_tc_build_end(const struct ph_tc_builder *builder,
