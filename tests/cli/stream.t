@@ -323,7 +323,8 @@ else
   heavy spatial-hermite 3 65
   heavy tc 2 119
   # of 14.5 MB, smooth: a point has 33 bytes (with joints twice, workspaces and
-  # points kept beside the curve, and certificates by arrays 6.6, 11.3)
+  # points kept beside the curve, and certificates by arrays 6.6, 11.3; tc with
+  # intervals beside its chain 8.5)
   awk 'BEGIN {
     printf "{\"closed\":true,\"points\":["
     n = 440000
@@ -336,6 +337,7 @@ else
   }' >in
   held planar 51 ', smooth'
   held spatial-hermite 95 ', smooth'
+  held tc 70 ', smooth'
   # one problem, many results
   problem 1 >in
   light 'memory for a sweep of 200 000' 200000 \
