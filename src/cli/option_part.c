@@ -37,7 +37,7 @@ static enum ph_status read_shard(struct ph_option_parser *p,
   return at && !*at && part->shard < part->shards && part->shards <= SHARDS_MAX
              ? PH_OK
              : refuse(p, "--shard must be K/N, whole numbers with K, from 0, "
-                         "below N");
+                         "below N, and N at most 1000000000");
 }
 
 static enum ph_status read_range(struct ph_option_parser *p,

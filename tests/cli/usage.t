@@ -101,8 +101,8 @@ usage '--table=offsets needs --offset' -f csv --table=offsets
 usage '--pretty needs --format=json' --pretty -f csv
 
 for k in 1 1/ /1 1/1 2/1 -1/2 0/0 0/2x 0/1e3 0/1000000001 ''; do
-  usage "--shard must be K/N, whole numbers with K, from 0, below N, found '$k'" \
-    --shard="$k"
+  usage "--shard must be K/N, whole numbers with K, from 0, below N, and N at \
+most 1000000000, found '$k'" --shard="$k"
 done
 for k in 1 : x:1 2:1 -1:2 0:2x 1:99999999999999999999999; do
   usage "--range must be FROM:TO, bytes from 0, or FROM:, found '$k'" --range="$k"
