@@ -264,3 +264,16 @@ accepted spatial-hermite 'almost an inflection' <<'EOF'
 EOF
 equal 'almost an inflection: F2, by 40 digits' true \
   "$(jq '(.diagnostics.F2 / 1.02528094524131748e-5 - 1 | fabs) < 1e-9' any.result)"
+
+# Where the least F1 keeps its shape or not by rounding, data at any size have
+# the same tension: the same factors are tried.
+for size in 1 3 7.7 1e-5; do
+  jq -cn --argjson size "$size" '
+    {points: [[1,0.898,0.765],[2,0.873,0.17]],
+     derivatives: [[0.747,0.087,-0.41],[0.038,0.054,0.087]]}
+    | map_values(map(map(. * $size)))
+    + {shape: true, basis: "atph", criterion: "F1"}'
+done >in
+run spatial-hermite -q in
+equal 'tensions at any size' 1 \
+  "$(jq '.segments[0].tension' out | sort -u | wc -l)"

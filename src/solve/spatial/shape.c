@@ -30,6 +30,11 @@ static const double NO_TORSION = 1e-14;
 static const double FACTOR = 0.95;
 static const double FACTOR_MIN = 1.0 / 64;
 
+/* Factors that are tried are multiples of a power of 2 near this part of the
+ * tolerance: slacks differ by rounding where data are scaled, and with the same
+ * factors minima of functionals are the same. */
+static const double GRID = 1.0 / 64;
+
 /* ---- constraints ---------------------------------------------------- */
 
 void ph_spatial_torsion_form(const struct ph_atph *space, const ph_quat a[3],
@@ -220,6 +225,7 @@ static enum ph_status refine(struct search *search, double *factor,
                              const struct ph_spatial_fit *before,
                              struct ph_spatial_fit *fit) {
   const double margin = 0.4 * search->tolerance;
+  const double grid = ldexp(1, ilogb(GRID * search->tolerance));
   double low = *factor, high = low / FACTOR;
   double above = slack_of(fit), below = slack_of(before);
   int side = 0; /* which end was moved last */
@@ -231,6 +237,7 @@ static enum ph_status refine(struct search *search, double *factor,
       at = low + (high - low) * (above / (above - below));
       at = fmin(fmax(at, low + margin), high - margin);
     }
+    at = grid * nearbyint(at / grid);
     status = try_factor(search, at, &middle);
     if (status != PH_OK) {
       return status;
