@@ -9,7 +9,7 @@
 #include <string.h>
 
 /* More shards than this are a slip of the keyboard. */
-static const size_t SHARDS_MAX = 1000000000;
+#define SHARDS_MAX 1000000000
 
 /* The digits at p as a number; NULL: there are none, or too many. */
 static const char *read_whole(const char *p, size_t *x) {
@@ -37,7 +37,7 @@ static enum ph_status read_shard(struct ph_option_parser *p,
   return at && !*at && part->shard < part->shards && part->shards <= SHARDS_MAX
              ? PH_OK
              : refuse(p, "--shard must be K/N, whole numbers with K, from 0, "
-                         "below N, and N at most 1000000000");
+                         "below N, and N at most " PH_TEXT(SHARDS_MAX));
 }
 
 static enum ph_status read_range(struct ph_option_parser *p,

@@ -419,11 +419,11 @@ static bool is_another(const struct work *w, struct room *r, size_t start) {
   size_t n = w->variables;
   memcpy(r->tried + start * n, r->x, n * sizeof *r->x);
   for (size_t i = 0; i < start; i++) {
-    double apart = 0;
-    for (size_t k = 0; k < n; k++) {
-      apart = fmax(apart, fabs(r->x[k] - r->tried[i * n + k]));
+    size_t k = 0;
+    while (k < n && fabs(r->x[k] - r->tried[i * n + k]) <= SAME) {
+      k++;
     }
-    if (apart <= SAME) {
+    if (k == n) {
       return false;
     }
   }
