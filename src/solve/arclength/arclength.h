@@ -50,6 +50,19 @@ void ph_arc_blocks_weights(const struct ph_arc_system *system,
                            struct ph_arc_blocks *blocks,
                            struct ph_arc_weights *weights);
 
+/* ph_arc_blocks_change: by how much node j changes: |d|^2, and what it changes
+ * of the phase from the node before it.  inout phase  of that node, then of j */
+double ph_arc_blocks_change(const struct ph_arc_system *system, const double *x,
+                            size_t j, const double *change, double *phase);
+
+/* ph_arc_blocks_raised: whether the block of node j has a shift or hold. */
+bool ph_arc_blocks_raised(const struct ph_arc_system *system,
+                          const struct ph_arc_blocks *blocks, size_t j);
+
+/* ph_arc_blocks_lower: it has none. */
+void ph_arc_blocks_lower(const struct ph_arc_system *system,
+                         struct ph_arc_blocks *blocks, size_t j);
+
 enum ph_arc_shape { PH_ARC_CONVEX, PH_ARC_BENT, PH_ARC_UNKNOWN };
 
 /*
@@ -108,8 +121,9 @@ struct ph_arc_point {
 };
 
 struct ph_arc_newton {
-  const struct ph_arena *arena; /* of all this; knows how much time there is */
+  struct ph_arena *arena; /* of all this; knows how much time there is */
   struct ph_arc_linear linear;
+  double *gradient; /* [x_n] of the Lagrangian, but for what is held */
   double *kkt; /* factors of the KKT matrix */
   uint32_t *pivot;
   double *penalised; /* factor of the penalised Hessian */
@@ -122,6 +136,8 @@ struct ph_arc_newton {
   double *c;         /* [y_n] rows of a candidate */
   double *nu;        /* [y_n] weights of |c| in the merit function */
   struct ph_arc_blocks blocks;
+  size_t times; /* that places were solved, of this start */
+  bool starved; /* there was no memory for places */
 };
 
 /* ph_arc_newton_alloc: the memory that a system needs; false: there is none. */
@@ -167,6 +183,26 @@ bool ph_arc_newton_plain(const struct ph_arc_system *system,
 bool ph_arc_is_minimum(const struct ph_arc_system *system,
                        struct ph_arc_newton *work, const double *x,
                        const double *y);
+
+/*
+ * Places: stretches of a curve of many intervals where a step was not small.
+ * Each is solved alone, with all beside it held (ph_arc_part_of): it takes as
+ * many steps as it needs, which cost no more where the curve is longer.
+ */
+
+/*
+ * ph_arc_places: solves them, after the first steps and not forever.
+ *
+ * in    work   dx of the last step, blocks, times, arena
+ * in    step   the length of that step
+ * in    steps  made so far, of the whole
+ * inout point  x, y, iterations: those of a place count as its part of the
+ *              curve
+ * ret   false when memory is exhausted
+ */
+bool ph_arc_places(const struct ph_arc_system *system,
+                   struct ph_arc_newton *work, double step, size_t steps,
+                   struct ph_arc_point *point);
 
 /* ---- trust regions ------------------------------------------------------- */
 

@@ -46,7 +46,8 @@ bool ph_arc_blocks_alloc(const struct ph_arc_system *s, struct ph_arena *arena,
                          struct ph_arc_blocks *b) {
   size_t width = WIDTH * s->refine * s->dim, size = sizeof(double);
   *b = (struct ph_arc_blocks){.n = s->x_n / width, .width = width};
-  if (s->nodes < PH_ARC_MANY * s->refine || s->data->mode != PH_ARC_POINTS) {
+  if (s->nodes < (s->part ? 2 * WIDTH : PH_ARC_MANY) * s->refine ||
+      s->data->mode != PH_ARC_POINTS) {
     b->n = 0; /* directions take more steps with blocks */
     return true;
   }
@@ -255,10 +256,8 @@ void ph_arc_blocks_apply(struct ph_arc_blocks *b) {
 
 /* ---- where the rows bend ------------------------------------------------- */
 
-/* |d|^2 of a change of node j, and what it changes of the phase from the node
- * before it; *phase is that node's, then its own. */
-static double change_of(const struct ph_arc_system *s, const double *x,
-                        size_t j, const double *change, double *phase) {
+double ph_arc_blocks_change(const struct ph_arc_system *s, const double *x,
+                            size_t j, const double *change, double *phase) {
   const double *w = x + j * s->dim;
   double rest[4], p = ph_arc_split(s, w, change, rest);
   double turn = j > 0 ? p - *phase : 0;
@@ -284,8 +283,8 @@ void ph_arc_blocks_look(const struct ph_arc_system *s, const double *x,
       c[k] = dx2[i] - v[k];
       b->stiff[at] += g * g;
     }
-    size[at] += change_of(s, x, j, v, &phases[0]);
-    b->bend[at] += change_of(s, x, j, c, &phases[1]);
+    size[at] += ph_arc_blocks_change(s, x, j, v, &phases[0]);
+    b->bend[at] += ph_arc_blocks_change(s, x, j, c, &phases[1]);
   }
   for (size_t k = 0; k < b->n; k++) {
     most = b->bend[k] <= most ? most : b->bend[k];
@@ -323,4 +322,18 @@ void ph_arc_blocks_settle(struct ph_arc_blocks *b) {
     b->shift[k] = b->shift[k] < SHIFT_NONE ? 0 : b->shift[k];
     b->hold[k] *= b->hold[k] > SHIFT_NONE ? LESS : 0;
   }
+}
+
+/* ---- of a node ----------------------------------------------------------- */
+
+bool ph_arc_blocks_raised(const struct ph_arc_system *s,
+                          const struct ph_arc_blocks *b, size_t j) {
+  size_t k = block_of(s, b, j);
+  return b->shift[k] > 0 || b->hold[k] > 0;
+}
+
+void ph_arc_blocks_lower(const struct ph_arc_system *s, struct ph_arc_blocks *b,
+                         size_t j) {
+  size_t k = block_of(s, b, j);
+  b->shift[k] = b->hold[k] = 0;
 }

@@ -120,7 +120,7 @@ bool ph_arc_engine_iterate(struct ph_arc_engine *e, double rho, size_t steps) {
   }
   ph_arc_newton_solve(e->s, &e->work, steps, p);
   leave_valley(e);
-  return judge_white(e);
+  return !e->work.starved && judge_white(e);
 }
 
 bool ph_arc_engine_is_smooth(const struct ph_arc_engine *e, const double *x) {
@@ -144,7 +144,7 @@ bool ph_arc_engine_go_on(struct ph_arc_engine *e, double rho) {
                         PH_ARC_STEPS - ph_arc_engine_first_steps(e), p);
   }
   if (p->converged || !(p->residual <= HELD)) {
-    return true;
+    return !e->work.starved;
   }
   if (!need_rough(e)) {
     return false;
@@ -154,5 +154,5 @@ bool ph_arc_engine_go_on(struct ph_arc_engine *e, double rho) {
     ph_arc_blocks_begin(&e->work.blocks);
     ph_arc_newton_solve(e->s, &e->work, PH_ARC_STEPS_AFTER, p);
   }
-  return judge_white(e);
+  return !e->work.starved && judge_white(e);
 }

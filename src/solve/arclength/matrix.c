@@ -7,6 +7,9 @@
 #include <math.h>
 #include <string.h>
 
+/* Weight of what holds ends. */
+static const double HELD = 1e10;
+
 /* Second derivatives of one interval by its unknowns. */
 struct block {
   size_t n;
@@ -327,6 +330,24 @@ static void add_shifts(const struct ph_arc_system *s, const double *x,
   }
 }
 
+/* Holds the ends of a part but for a common phase of each. */
+static void add_ends(const struct ph_arc_system *s, const double *x,
+                     const struct target *t) {
+  for (size_t k = 0; k < 4; k++) {
+    size_t j = k < 2 ? k : s->nodes - 4 + k;
+    uint32_t place = t->place[j * s->dim];
+    double square[16];
+    if (!s->held[k / 2]) {
+      continue;
+    }
+    ph_arc_change_square(s, x + j * s->dim, HELD, square);
+    add_square(t, place, place, s->dim, square);
+    if (s->phases && k % 2 == 0) {
+      add_link(s, x, j, HELD, t);
+    }
+  }
+}
+
 /* What ph_arc_retract adds to the second derivatives of the Lagrangian. */
 static void add_retraction(const struct ph_arc_system *s, const double *x,
                            const struct ph_arc_linear *linear,
@@ -507,6 +528,7 @@ void ph_arc_kkt(const struct ph_arc_system *s, const double *x, const double *y,
   memset(matrix, 0, ph_band_size(s->kkt_n, s->kkt_band) * sizeof *matrix);
   add_hessian(s, x, y, linear, weights, &t);
   add_pins(s, x, weights->pin, &t);
+  add_ends(s, x, &t);
   add_rows(s, linear, &t);
 }
 
@@ -526,5 +548,6 @@ void ph_arc_penalised(const struct ph_arc_system *s, const double *x,
     *ph_sym_at(matrix, s->order_band, k, k) += weights->rounding * most;
   }
   add_pins(s, x, weights->pin, &t);
+  add_ends(s, x, &t);
   add_penalty(s, linear, rho, &t);
 }

@@ -20,6 +20,8 @@ enum { STAGNATIONS = 8 };
  * minimum comes in the end. */
 static const double NEAR = 1e-7;
 static const double NEAR_DECREMENT = 1e-6; /* enough when steps are used up */
+/* Residuals and gradients of a part. */
+static const double PART = 1e-6;
 /* Weight of what fixes the common phase. */
 static const double PIN = 1e3;
 /* Weights of J^T J in the test of A, each times 1 + |y|: with a fixed weight
@@ -61,6 +63,7 @@ struct state {
   double noise;  /* rounding of the merit function */
   double before; /* the decrement of the step before, if that was near */
   size_t stagnations;
+  size_t steps; /* so far */
 };
 
 /* ---- memory -------------------------------------------------------------- */
@@ -69,6 +72,7 @@ bool ph_arc_newton_alloc(const struct ph_arc_system *s, struct ph_arena *arena,
                          struct ph_arc_newton *w) {
   size_t size = sizeof(double);
   w->arena = arena;
+  w->starved = false;
   w->kkt = ph_arena_array(arena, s->kkt_n, ph_band_size(1, s->kkt_band) * size);
   w->pivot = ph_arena_array(arena, s->kkt_n, sizeof(uint32_t));
   w->penalised =
@@ -82,7 +86,8 @@ bool ph_arc_newton_alloc(const struct ph_arc_system *s, struct ph_arena *arena,
   w->dy = ph_arena_array(arena, s->y_n, size);
   w->c = ph_arena_array(arena, s->y_n, size);
   w->nu = ph_arena_array(arena, s->y_n, size);
-  return ph_arc_linear_alloc(s, arena, &w->linear) &&
+  w->gradient = ph_arena_array(arena, s->x_n, size);
+  return ph_arc_linear_alloc(s, arena, &w->linear) && w->gradient &&
          ph_arc_blocks_alloc(s, arena, &w->blocks) && w->kkt && w->pivot &&
          w->penalised && w->step && w->dx && w->dx2 && w->x[0] && w->x[1] &&
          w->y && w->dy && w->c && w->nu;
@@ -216,7 +221,7 @@ static bool find_step(struct state *t) {
       if (!ph_arena_late(w->arena) &&
           ph_band_factor(w->kkt, w->pivot, s->kkt_n, s->kkt_band)) {
         for (size_t k = 0; k < s->x_n; k++) {
-          w->step[s->place_x[k]] = -w->linear.l_x[k];
+          w->step[s->place_x[k]] = -w->gradient[k];
         }
         for (size_t r = 0; r < s->y_n; r++) {
           w->step[s->place_y[r]] =
@@ -379,7 +384,7 @@ static bool try_corrected(struct state *t, double step, double limit) {
   ph_arc_retract(t->s, t->p->x, w->dx, step, w->x[0]);
   plain = merit(t, w->x[0]);
   correct(t, w->x[0], step);
-  ph_arc_blocks_look(t->s, t->p->x, w->linear.l_x, w->dx, step, w->dx2,
+  ph_arc_blocks_look(t->s, t->p->x, w->gradient, w->dx, step, w->dx2,
                      &w->blocks);
   ph_arc_retract(t->s, t->p->x, w->dx2, 1, w->x[1]);
   corrected = merit(t, w->x[1]);
@@ -421,7 +426,7 @@ static double search_blocks(struct state *t) {
 static double decrement(const struct state *t) {
   double sum = 0;
   for (size_t k = 0; k < t->s->x_n; k++) {
-    sum += t->w->linear.l_x[k] * t->w->dx[k];
+    sum += t->w->gradient[k] * t->w->dx[k];
   }
   return fabs(sum);
 }
@@ -431,10 +436,12 @@ static void look(struct state *t) {
   const struct ph_arc_system *s = t->s;
   struct ph_arc_point *p = t->p;
   ph_arc_linearise(s, p->x, p->y, &t->w->linear);
+  memcpy(t->w->gradient, t->w->linear.l_x, s->x_n * sizeof *p->x);
+  ph_arc_ends_gradient(s, p->x, t->w->gradient);
   t->y_size = ph_arc_largest(s->y_n, p->y);
   t->w->blocks.most = STIFFEST * (1 + t->y_size);
   p->f = t->w->linear.f;
-  p->kkt = ph_arc_largest(s->x_n, t->w->linear.l_x) / (1 + t->y_size);
+  p->kkt = ph_arc_largest(s->x_n, t->w->gradient) / (1 + t->y_size);
   p->residual = 0;
   for (size_t r = 0; r < s->y_n && !isnan(p->residual); r++) {
     double soft = ph_arc_compliance(s, r);
@@ -509,7 +516,16 @@ static bool iterate(struct state *t) {
              : t->hint > 0                   ? 10 * t->hint
                                              : SHIFT_REFUSED;
   t->shift = t->shift < SHIFT_NONE ? 0 : t->shift;
-  return true;
+  t->steps++;
+  if (w->blocks.n > 0 && !t->near && !s->part) {
+    w->starved = !ph_arc_places(s, w, step, t->steps, p);
+  }
+  return !w->starved;
+}
+
+/* A part is solved when it is near: what is beside it is not. */
+static bool is_done(const struct state *t) {
+  return t->s->part && t->p->residual <= PART && t->p->kkt <= PART;
 }
 
 bool ph_arc_newton_solve(const struct ph_arc_system *s,
@@ -517,15 +533,21 @@ bool ph_arc_newton_solve(const struct ph_arc_system *s,
                          struct ph_arc_point *p) {
   struct state t = {
       .s = s, .w = work, .p = p, .limit = NEAR, .before = (double)INFINITY};
+  size_t end = p->iterations + limit;
   bool go = true;
+  work->times = 0;
   p->converged = p->minimiser = false;
   memset(work->nu, 0, s->y_n * sizeof *work->nu);
   look(&t);
-  for (size_t i = 0; i < limit && go && isfinite(p->f); i++) {
+  while (p->iterations < end && go && isfinite(p->f) && !is_done(&t)) {
     go = iterate(&t) && !ph_arena_late(work->arena);
     if (go) {
       look(&t);
     }
+  }
+  if (s->part) {
+    p->converged = p->converged || is_done(&t);
+    return p->converged;
   }
   if (go && rows_hold(s, work->linear.c, p->y) &&
       decrement(&t) <= NEAR_DECREMENT * p->f) {

@@ -67,3 +67,24 @@ double ph_arc_split(const struct ph_arc_system *s, const double *w,
   }
   return p;
 }
+
+void ph_arc_ends_gradient(const struct ph_arc_system *s, const double *x,
+                          double *gradient) {
+  size_t dim = s->dim;
+  for (size_t end = 0; end < 2; end++) {
+    size_t first = end > 0 ? (s->nodes - 2) * dim : 0;
+    const double *w = x + first;
+    double *g = gradient + first, iw[8] = {0}, along = 0;
+    if (!s->held[end]) {
+      continue;
+    }
+    if (s->phases) {
+      ph_arc_turned(w, iw);
+      ph_arc_turned(w + 4, iw + 4);
+      along = ph_arc_dot(8, iw, g) / ph_arc_dot(8, iw, iw);
+    }
+    for (size_t k = 0; k < 2 * dim; k++) {
+      g[k] = s->phases ? along * iw[k] : 0;
+    }
+  }
+}

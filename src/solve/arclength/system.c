@@ -272,6 +272,54 @@ bool ph_arc_system_of(const struct ph_arc_data *data, size_t refine, size_t dim,
   return true;
 }
 
+/* `each' numbers of every interval of n, from one on and beyond the seam. */
+static double *slice(const struct ph_arc_system *s, const double *from,
+                     size_t first, size_t n, size_t each,
+                     struct ph_arena *arena) {
+  double *out = ph_arena_array(arena, n * each, sizeof *out);
+  for (size_t i = 0; out && i < n; i++) {
+    size_t at = (first + i) % s->data->n;
+    memcpy(out + i * each, from + at * each, each * sizeof *out);
+  }
+  return out;
+}
+
+bool ph_arc_part_of(const struct ph_arc_system *s, size_t first, size_t n,
+                    struct ph_arena *arena, struct ph_arc_data *data,
+                    struct ph_arc_system *part) {
+  const struct ph_arc_data *d = s->data;
+  *data = (struct ph_arc_data){.mode = d->mode, .n = n, .line = d->line};
+  *part = *s;
+  part->data = data;
+  part->segments = n * s->refine;
+  part->nodes = part->segments + 2;
+  part->turn = false;
+  part->part = true;
+  part->held[0] = d->closed || first > 0;
+  part->held[1] = d->closed || first + n < d->n;
+  part->x_n = part->nodes * s->dim;
+  part->y_n = n * s->forms_n;
+  part->kkt_n = part->x_n + part->y_n;
+  part->kkt_band = part->order_band = 0;
+  part->gram = slice(s, s->gram, first, n, s->span * s->span, arena);
+  part->second = slice(s, s->second, first, n, 3 * s->refine, arena);
+  part->target = slice(s, s->target, first, n, s->forms_n, arena);
+  if (s->compliance) {
+    part->compliance = slice(s, s->compliance, first, n, 1, arena);
+  }
+  part->place_x = ph_arena_array(arena, part->x_n, sizeof(uint32_t));
+  part->order = ph_arena_array(arena, part->x_n, sizeof(uint32_t));
+  part->place_y = ph_arena_array(arena, part->y_n, sizeof(uint32_t));
+  if (!part->gram || !part->second || !part->target ||
+      (s->compliance && !part->compliance) || !part->place_x || !part->order ||
+      !part->place_y) {
+    return false;
+  }
+  place_all(part);
+  set_bands(part);
+  return true;
+}
+
 bool ph_arc_soften(struct ph_arc_system *s, double f_relaxed,
                    struct ph_arena *arena) {
   const struct ph_arc_data *d = s->data;

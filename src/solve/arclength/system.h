@@ -248,6 +248,8 @@ struct ph_arc_system {
   bool turn;       /* closed in space: the last unknown is chi */
   double sign;     /* closed, not in space: w_M+j = sign w_j */
   bool phases;     /* steps and matrices know phases, see ph_arc_weights */
+  bool part;       /* see ph_arc_part_of, */
+  bool held[2];    /* whose two nodes at this end are held */
   size_t x_n;      /* unknowns */
   size_t y_n;      /* rows */
 
@@ -346,6 +348,19 @@ bool ph_arc_system_of(const struct ph_arc_data *data, size_t refine, size_t dim,
  */
 bool ph_arc_soften(struct ph_arc_system *system, double f_relaxed,
                    struct ph_arena *arena);
+
+/*
+ * ph_arc_part_of: the equations of n intervals of points, from one on and, of
+ * closed curves, beyond the seam.  Of the two nodes at each end, which belong
+ * to intervals beside these, too, only a common phase changes: where all on
+ * that side turns with them, nothing else does.
+ *
+ * out  data  of the part: mode and n alone
+ * ret  false when memory is exhausted
+ */
+bool ph_arc_part_of(const struct ph_arc_system *system, size_t first, size_t n,
+                    struct ph_arena *arena, struct ph_arc_data *data,
+                    struct ph_arc_system *part);
 
 /* ph_arc_linear_alloc: the arrays of a linearisation; false: no memory. */
 bool ph_arc_linear_alloc(const struct ph_arc_system *system,
@@ -448,6 +463,11 @@ void ph_arc_change_square(const struct ph_arc_system *system, const double *w,
  * out own by w, cross by v and w */
 void ph_arc_link_square(const double *w, const double *v, double shift,
                         double own[16], double cross[16]);
+
+/* ph_arc_ends_gradient: what is left of a gradient where ends are held.
+ * inout gradient[x_n] */
+void ph_arc_ends_gradient(const struct ph_arc_system *system, const double *x,
+                          double *gradient);
 
 /* ph_arc_split: p and d = rest of a change v of node w; without phases p is 0.
  */
