@@ -315,3 +315,24 @@ true_that 'many lengths: two segments each' count $((2 * given + 1)) out
 awk -F, 'NR > 1 && NR % 2 { d = $6 / ((NR - 1) / 2 * 0.010049875621120891) - 1
   if (d * d > 1e-22) bad = 1 } END { exit bad || NR < 3 }' out
 equal 'many lengths: those of the table' 0 $?
+
+# ---- near-cusps ----------------------------------------------------------------
+
+# Free lengths, and chords that differ by factors of 6000 and of 2000: there was
+# no answer, though starts led to curves.
+cusp() {
+  feed "$2" arclength
+  equal "$1" "0 $3" "$status $(get diagnostics.second_order)"
+  mv err told
+  mv out r
+  run verify r
+  expect "$1: verified" 0
+}
+cusp 'a near-cusp: a minimum' '{"points":[[0,0,0],[-0.30904,-0.04992,0.31352],
+[-0.31922,-0.05505,0.30742],[-0.31918,-0.05512,0.30744],
+[-0.31753,-0.05755,0.30754],[-0.32303,-0.05989,0.30807]]}' '"minimiser"'
+cusp 'near-cusps: a saddle' '{"points":[[0,0,0],[-0.00271,-0.00356,0.00047],
+[-0.07043,-0.02027,0.14893],[0.21585,-0.11862,0.25382],
+[0.21306,-0.11846,0.25049],[0.21271,-0.11963,0.24981],
+[0.21261,-0.11971,0.24981],[0.21296,-0.12024,0.24937]]}' '"saddle"'
+true_that 'near-cusps: a saddle: told' grep -q 'is stationary.*\[saddle\]' told

@@ -122,11 +122,25 @@ expect 'with lengths' 0
 
 # ---- no minimum, but a curve all the same ------------------------------------
 
-# Turns of up to 2.8 between chords of 0.006 and 0.8, lengths 1 % above them.
+# Turns of up to 2.8 between chords of 0.006 and 0.8, lengths 1 % above them:
+# multipliers are as large as the proof of a minimum had not expected.
 feed '{"points":[[0,0,0],[0.0801,0.1275,0.1084],[-0.4455,0.3567,0.7001],
 [-0.4433,0.3508,0.6997],[-0.447,0.3603,0.7054],[-0.4411,0.3531,0.7138],
 [-0.3981,-0.2152,0.7287]],"lengths":[0.18738,0.83316,0.00635,0.01183,0.01266,
 0.58025],"length_sigma":0.01}' arclength
+equal 'a steep minimum' '0 "minimiser" "minimiser"' \
+  "$status $(get diagnostics.second_order) $(get 'diagnostics.starts[0].outcome')"
+equal 'a steep minimum: nothing to tell' '' "$(grep saddle err || true)"
+mv out r
+run verify r
+expect 'a steep minimum: verified' 0
+
+# Chords of 0.0001 and 0.6.
+feed '{"points":[[0,0,0],[-6e-5,-0.00012,6e-5],[0.00017,-0.00108,-0.00046],
+[0.0352,-0.46453,-0.37925],[0.0353,-0.4646,-0.37921],[-0.03818,-0.4984,-0.54992],
+[-0.04879,-0.55662,-0.4747],[-0.04843,-0.55778,-0.47557]],"lengths":[0.000145,
+0.001129,0.610882,0.000131,0.190791,0.096629,0.001522],"length_sigma":0.01}' \
+  arclength
 equal 'a saddle: the curve, and that it is one' '0 "saddle"' \
   "$status $(get diagnostics.second_order)"
 equal 'a saddle: told' 'phspline: -:1: record 1: warning: no minimum was '\

@@ -51,7 +51,8 @@ void ph_arc_blocks_weights(const struct ph_arc_system *system,
                            struct ph_arc_weights *weights);
 
 /* ph_arc_blocks_change: by how much node j changes: |d|^2, and what it changes
- * of the phase from the node before it.  inout phase  of that node, then of j */
+ * of the phase from the node before it.  inout phase  of that node, then of j
+ */
 double ph_arc_blocks_change(const struct ph_arc_system *system, const double *x,
                             size_t j, const double *change, double *phase);
 
@@ -124,7 +125,7 @@ struct ph_arc_newton {
   struct ph_arena *arena; /* of all this; knows how much time there is */
   struct ph_arc_linear linear;
   double *gradient; /* [x_n] of the Lagrangian, but for what is held */
-  double *kkt; /* factors of the KKT matrix */
+  double *kkt;      /* factors of the KKT matrix */
   uint32_t *pivot;
   double *penalised; /* factor of the penalised Hessian */
   double *step;      /* [kkt_n] in the order of the matrix */
@@ -178,11 +179,13 @@ bool ph_arc_newton_plain(const struct ph_arc_system *system,
  * rho J^T J, pinned, has a Cholesky factor for some rho, at least with a shift
  * of the size of its rounding.  False: it is a saddle.
  *
- * in   x, y  of this system, which may be another than the one that was solved
+ * in   x, y   of this system, which may be another than the one that was solved
+ * in   steep  with a larger rho, for multipliers that are as large as those of
+ *             a near-cusp
  */
 bool ph_arc_is_minimum(const struct ph_arc_system *system,
                        struct ph_arc_newton *work, const double *x,
-                       const double *y);
+                       const double *y, bool steep);
 
 /*
  * Places: stretches of a curve of many intervals where a step was not small.
@@ -508,7 +511,8 @@ struct ph_arc_search {
                                 * that where this is missed */
   struct ph_arc_point nearest; /* if none was found: the iterate whose rows
                                 * hold best */
-  struct ph_arc_found saddle;  /* and the first that is stationary */
+  struct ph_arc_found saddle;  /* and the first that is stationary, or, before
+                                * these, proved to be a steep minimum */
   bool has_saddle;
 };
 

@@ -194,7 +194,7 @@ static enum ph_status judge_in_space(struct task *t,
        ph_arc_point_alloc(&space, t->scratch, &point);
   if (ok) {
     put_in_space(&t->search.system, &space, &found->point, &point);
-    *minimum = ph_arc_is_minimum(&space, &work, point.x, point.y);
+    *minimum = ph_arc_is_minimum(&space, &work, point.x, point.y, false);
   }
   ph_arena_release(t->scratch, mark);
   return ok ? PH_OK : ph_fail_memory(t->diag);
@@ -329,9 +329,9 @@ static void settle_for(struct task *t, const struct saddle *saddle) {
 }
 
 /* Finds curves with as few segments in an interval as it takes: more of them
- * promise more than random waves.  Measured lengths always have an answer, at
- * worst a curve that was not proved to be a minimum; so everything is tried
- * with the fewest first. */
+ * promise more than random waves.  Where no minimum is found, a curve that is
+ * stationary is an answer, too; of measured lengths, which always have one,
+ * everything is tried with the fewest segments first. */
 static enum ph_status find_refined(struct task *t) {
   bool soft = is_soft(t) && !t->data.tangent_sigma;
   size_t first = t->request.refine;
@@ -351,9 +351,13 @@ static enum ph_status find_refined(struct task *t) {
       if (status != PH_OK || t->search.found_n > 0) {
         return status;
       }
-      if (soft && t->search.has_saddle && !saddle.search.has_saddle) {
+      if (t->search.has_saddle && !saddle.search.has_saddle) {
         saddle = (struct saddle){t->search, t->left_plane};
         mark = ph_arena_mark(t->scratch); /* it stays */
+      }
+      if (t->search.has_saddle && t->search.saddle.point.minimiser) {
+        settle_for(t, &(struct saddle){t->search, t->left_plane});
+        return status;
       }
     }
   }

@@ -34,8 +34,9 @@ static const double ROUNDING = 2048 * 2.2204460492503131e-16;
 /* For the choice of a step by more: soft modes of many points need small
  * shifts, or none. */
 static const double ALARM = 1e-10;
-/* Weights of J^T J that prove a minimum. */
-static const double PROOF[4] = {1e2, 1e4, 1e6, 1e8};
+/* Weights of J^T J that prove a minimum, from STEEP on of a steep one. */
+enum { STEEP = 4, PROOFS = 5 };
+static const double PROOF[PROOFS] = {1e2, 1e4, 1e6, 1e8, 1e10};
 static const double SHIFT_FIRST = 1e-7, SHIFT_REFUSED = 1e-3, SHIFT_MAX = 1e10,
                     SHIFT_NONE = 1e-10;
 /* Blocks have no larger shift than this times the size of the multipliers, of
@@ -553,7 +554,7 @@ bool ph_arc_newton_solve(const struct ph_arc_system *s,
       decrement(&t) <= NEAR_DECREMENT * p->f) {
     p->converged = true;
   }
-  p->minimiser = p->converged && ph_arc_is_minimum(s, work, p->x, p->y);
+  p->minimiser = p->converged && ph_arc_is_minimum(s, work, p->x, p->y, false);
   return p->converged;
 }
 
@@ -578,18 +579,23 @@ bool ph_arc_newton_plain(const struct ph_arc_system *s,
     memcpy(p->y, work->y, s->y_n * sizeof *p->y);
     p->iterations++;
   }
-  p->minimiser = p->converged && ph_arc_is_minimum(s, work, p->x, p->y);
+  p->minimiser = p->converged && ph_arc_is_minimum(s, work, p->x, p->y, false);
   return p->converged;
 }
 
 bool ph_arc_is_minimum(const struct ph_arc_system *s,
                        struct ph_arc_newton *work, const double *x,
-                       const double *y) {
+                       const double *y, bool steep) {
+  size_t first = steep ? STEEP : 0, end = steep ? PROOFS : STEEP;
   ph_arc_linearise(s, x, y, &work->linear);
-  for (size_t k = 0; k < 8 && !ph_arena_late(work->arena); k++) {
-    struct ph_arc_weights weights = {
-        .functional = 1, .pin = PIN, .rounding = k < 4 ? 0 : ROUNDING};
-    if (is_positive(s, work, x, y, PROOF[k % 4], &weights)) {
+  for (size_t k = 0; k < 2 * (end - first) && !ph_arena_late(work->arena);
+       k++) {
+    struct ph_arc_weights weights = {.functional = 1,
+                                     .pin = PIN,
+                                     .rounding =
+                                         k < end - first ? 0 : ROUNDING};
+    if (is_positive(s, work, x, y, PROOF[first + k % (end - first)],
+                    &weights)) {
       return true;
     }
   }

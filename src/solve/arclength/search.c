@@ -287,6 +287,24 @@ static void begin(struct run *run, const struct kind *kind) {
   }
 }
 
+/* Keeps what was not proved to be a minimum, for where nothing else is. */
+static void keep_saddle(struct run *run, size_t start) {
+  struct ph_arc_search *search = run->search;
+  struct ph_arc_point *p = &run->engine.point, *kept = &search->saddle.point;
+  bool steep =
+      !(search->has_saddle && kept->minimiser) &&
+      ph_arc_is_minimum(&search->system, &run->engine.work, p->x, p->y, true);
+  if (steep || !search->has_saddle) {
+    search->has_saddle = true;
+    search->saddle.start = start;
+    ph_arc_point_copy(&search->system, p, kept);
+    kept->minimiser = steep;
+    if (steep) {
+      search->starts[start].outcome = PH_OUTCOME_MINIMISER;
+    }
+  }
+}
+
 /* Keeps what a start led to; false: no memory. */
 static bool note(struct run *run, const char *name) {
   struct ph_arc_search *search = run->search;
@@ -306,10 +324,8 @@ static bool note(struct run *run, const char *name) {
   if (p->minimiser) {
     return keep(run, start);
   }
-  if (p->converged && !search->has_saddle) {
-    search->has_saddle = true;
-    search->saddle.start = start;
-    ph_arc_point_copy(&search->system, p, &search->saddle.point);
+  if (p->converged) {
+    keep_saddle(run, start);
   }
   set_nearest(run);
   return true;
