@@ -21,6 +21,11 @@ static const double ROUNDING_BY_ROOT = 16, ROUNDING = 16 * N;
 /* Rounding of two cuts, in eps of the largest coordinate for each degree. */
 static const double CUTTING = 4;
 
+/* Ellipses that are tried: half the sum of their axes over half of the width,
+ * and by how much each is larger than the one before.  Beyond, 64^LOW, nothing
+ * is lost but by rounding. */
+static const double ELLIPSE = 2, LARGER = 1.5, LARGEST = 64;
+
 /* ---- values -------------------------------------------------------------- */
 
 /* The points of a form: coefficients, or their differences. */
@@ -121,7 +126,7 @@ static const ph_cplx *source(const struct ph_bern_low *low, size_t *degree) {
 
 void ph_bern_low_of(struct ph_bern_low *low, const ph_cplx *c, size_t degree,
                     ph_cplx *room) {
-  double size = 0, largest = 0, error = 0, scale = 2;
+  double size = 0, reach = 0, largest = 0, error = 0, scale = 2;
   const ph_cplx *from;
   size_t n;
   low->c = c;
@@ -136,9 +141,12 @@ void ph_bern_low_of(struct ph_bern_low *low, const ph_cplx *c, size_t degree,
   low->near_degree = ph_bern_near(c, degree, room, low->near, &low->away);
   from = source(low, &n);
   for (size_t k = 0; k <= n; k++) {
+    double away = ph_cplx_abs(ph_cplx_sub(from[k], from[0]));
     size = fmax(size, ph_cplx_abs(from[k]));
+    reach = away > reach || isnan(away) ? away : reach;
     room[k] = from[k];
   }
+  low->reach = reach;
   for (size_t step = 0; step < N; step++) {
     largest = difference(room, n + 1 - step);
     error = 2 * error + DBL_EPSILON * largest;
@@ -149,6 +157,28 @@ void ph_bern_low_of(struct ph_bern_low *low, const ph_cplx *c, size_t degree,
       (ROUNDING_BY_ROOT * sqrt((double)n) + ROUNDING) * DBL_EPSILON * size;
   low->cutting = CUTTING * (double)n * DBL_EPSILON * size;
   factor(low);
+}
+
+/* What is lost by (1), of the best of some ellipses.  They lie in polygons
+ * whose corners are at the angles of the nodes. */
+static double lost_in_ellipses(const struct ph_bern_low *low, double from,
+                               double to) {
+  const double middle = from + (to - from) / 2;
+  const double unit = (to - from) / 4 / cos(PH_PI / (2 * N));
+  double least = (double)INFINITY;
+  size_t n;
+  source(low, &n);
+  for (double rho = ELLIPSE; rho <= LARGEST; rho *= LARGER) {
+    double a = unit * (rho + 1 / rho), b = unit * (rho - 1 / rho), far = 1;
+    for (size_t i = 0; i < N; i++) {
+      double x = middle + a * (2 * low->node[i] - 1);
+      double y2 = 4 * b * b * low->node[i] * (1 - low->node[i]);
+      far = fmax(far, sqrt(x * x + y2) + sqrt((1 - x) * (1 - x) + y2));
+    }
+    least = fmin(least, 4 * low->reach * pow(far, (double)n) *
+                            pow(rho, -PH_BERN_LOW) / (rho - 1));
+  }
+  return least;
 }
 
 /* The part by values; their differences from the first are what is small. */
@@ -177,8 +207,12 @@ static void cut_near(const struct ph_bern_low *low, double from, double to,
 
 size_t ph_bern_low_part(const struct ph_bern_low *low, double from, double to,
                         double allowed, ph_cplx *part, double *lost) {
-  double miss = low->rest * pow(to - from, N) + low->rounding + low->away;
+  double noise = low->rounding + low->away;
+  double miss = low->rest * pow(to - from, N) + noise;
   size_t degree = PH_BERN_LOW;
+  if (!(miss <= allowed) && noise < allowed) {
+    miss = fmin(miss, lost_in_ellipses(low, from, to) + noise);
+  }
   if (miss <= allowed) {
     interpolate(low, from, to, part);
   } else if (low->near_degree > 0 && low->away + low->cutting <= allowed) {

@@ -10,7 +10,18 @@
  *   |p^(m+1)| / (m+1)! <= binomial(n, m+1) max_k |Delta^(m+1) c_k|
  *
  * is lost, by the remainder of interpolation [DAV75, sec. 3.1, 3.3] and as a
- * derivative in Bernstein form is a convex combination of its coefficients.
+ * derivative in Bernstein form is a convex combination of its coefficients; nor
+ * more than, with any rho > 1,
+ *
+ *   4 M rho^-m / (rho - 1),  M = max_k |c_k - c_0| max_E (|z| + |1 - z|)^n  (1)
+ *
+ * on the ellipse E whose foci are the ends of the part, and whose half axes are
+ * h (rho +- 1/rho)/4.  Derived here: there |p - c_0| <= M, as the values of the
+ * basis are those of (|z| + |1 - z|)^n by the binomial theorem at most; so
+ * coefficients of its series in Chebyshev polynomials are at most 2 M rho^-k,
+ * and in the nodes each of these beyond m is one below, or 0.  That is much
+ * less where control points are rough; the largest differences count
+ * everywhere.
  *
  * Where n is so high that the differences are rounding, p is one of a middle
  * degree (bern_near.h), if there is one.
@@ -33,6 +44,7 @@ struct ph_bern_low {
   size_t near_degree;             /* 0: nothing does, */
   double away;                    /* and how far it is from there */
   double cutting;                 /* what rounding adds to a part of that */
+  double reach;    /* how far its coefficients are from the first */
   double rest;     /* what is lost, over h^(LOW + 1); infinite below HIGH */
   double rounding; /* and what rounding adds to it */
   double node[PH_BERN_LOW + 1];                /* in [0,1] */

@@ -117,6 +117,24 @@ PH_TEST(test_part_wide) {
   ck_assert(middle > 10);
 }
 
+/* Nor does a rough one, on a part of about its waves away from its ends. */
+PH_TEST(test_part_rough) {
+  struct unit_random r = unit_random_of(6);
+  ph_cplx c[DEGREE_MAX + 1], room[DEGREE_MAX + 1], part[DEGREE_MAX + 1];
+  for (int trial = 0; trial < 60; trial++) {
+    struct ph_bern_low low;
+    size_t n = 100 + unit_random_below(&r, 401);
+    double h = .5 / sqrt((double)n), from = unit_random_in(&r, .1, .9 - h);
+    double lost;
+    size_t degree;
+    make(&r, n, true, c);
+    ph_bern_low_of(&low, c, n, room);
+    degree = ph_bern_low_part(&low, from, from + h, 1e-9, part, &lost);
+    ck_that(degree == PH_BERN_LOW, "%zu: %zu, %g from %g", n, degree, h, from);
+    ck_part(c, n, from, h, part, degree, lost);
+  }
+}
+
 PH_TEST(test_part_ends) {
   struct unit_random r = unit_random_of(4);
   ph_cplx c[DEGREE_MAX + 1], room[DEGREE_MAX + 1], part[DEGREE_MAX + 1];
