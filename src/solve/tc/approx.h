@@ -135,10 +135,13 @@ enum ph_tc_kind {
   PH_TC_ONE_OR_PAIR, /* a pair also where it is needed for the tolerance */
 };
 
+/* Distances of so many tolerances and more need not be told apart. */
+enum { PH_TC_FAR = 16 };
+
 /* Cubics for a part of the curve. */
 struct ph_tc_patch {
   size_t n;        /* 1 or 2; 0: there are none */
-  double distance; /* proved; infinite if there are none */
+  double distance; /* proved, or that far; infinite if there are none */
   struct ph_tc tc[2];
   ph_cplx joint; /* of two */
   double at;     /* and the parameter of the curve that it stands for */
@@ -174,6 +177,13 @@ size_t ph_tc_match_room(size_t degree);
  */
 double ph_tc_match_distance(const struct ph_tc_match *match, size_t degree,
                             double same, double enough, ph_cplx *pool);
+
+/*
+ * ph_tc_least_distance: a lower bound of the Hausdorff distance between a cubic
+ * and the part [from,to] of a curve, of use where they are far apart.
+ */
+double ph_tc_least_distance(const struct ph_tc_target *target, double from,
+                            double to, const ph_cplx c[4]);
 
 /*
  * ph_tc_inflections: where the curvature changes sign, each at the middle of a

@@ -299,3 +299,26 @@ double ph_tc_match_distance(const struct ph_tc_match *match, size_t degree,
   }
   return bound;
 }
+
+/* Points of the curve that are compared with places of the cubic, some of which
+ * are no farther than half a step from any other. */
+enum { POINTS = 3 };
+
+double ph_tc_least_distance(const struct ph_tc_target *t, double from,
+                            double to, const ph_cplx c[4]) {
+  double away = 0, leg = 0;
+  for (int i = 0; i < 3; i++) {
+    leg = fmax(leg, ph_cplx_abs(ph_cplx_sub(c[i + 1], c[i])));
+  }
+  for (int i = 1; i <= POINTS; i++) {
+    double u = from + (to - from) * i / (POINTS + 1);
+    ph_cplx p = ph_bern_value(t->p, t->degree, u), inner[4];
+    double nearest = (double)INFINITY;
+    for (int k = 0; k <= PLACES; k++) {
+      ph_cplx place = cut(c, (double)k / PLACES, inner);
+      nearest = fmin(nearest, ph_cplx_abs(ph_cplx_sub(p, place)));
+    }
+    away = fmax(away, nearest - 3 * leg / (2 * PLACES));
+  }
+  return away;
+}

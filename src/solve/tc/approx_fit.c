@@ -111,29 +111,69 @@ static const double LOST = 1e-3;
 /* The part of a curve in work, or a half of it. */
 struct part {
   const struct ph_tc_target *t;
+  const struct ph_tc_knot *from, *to;
+  double tolerance;
   const ph_cplx *p; /* [degree + 1] */
-  size_t degree;
-  double lost; /* how far it may be from the curve itself */
+  size_t degree;    /* 0: it is not made yet */
+  double lost;      /* how far it may be from the curve itself */
 };
 
-/* The part between two knots, in t->part: of a low degree where that does. */
+/* A part that was cut out, of a middle degree where that does. */
+static void lower(struct part *part) {
+  const struct ph_tc_target *t = part->t;
+  ph_cplx near[PH_BERN_NEAR + 1];
+  double away;
+  size_t n = ph_bern_near(t->part, part->degree, t->spare, near, &away);
+  if (n > 0 && away <= LOST * part->tolerance) {
+    memcpy(t->part, near, (n + 1) * sizeof *near);
+    part->degree = n;
+    part->lost = 2 * away; /* and its ends are moved, where the curve's are */
+  }
+}
+
+static void make(struct part *part) {
+  const struct ph_tc_target *t = part->t;
+  size_t n = t->degree;
+  if (part->degree > 0) {
+    return;
+  }
+  ph_bern_cut(t->p, n, part->to->u, t->cut, t->spare);
+  ph_bern_cut(t->cut, n, part->from->u / part->to->u, t->spare, t->part);
+  part->degree = n;
+  part->lost = 0;
+  lower(part);
+  t->part[0] = part->from->p;
+  t->part[part->degree] = part->to->p;
+}
+
+/* The part between two knots, in t->part: of a low degree where that does; else
+ * it is made when it is needed, if it is worth waiting for that. */
 static struct part part_of(const struct ph_tc_target *t,
                            const struct ph_tc_knot *from,
                            const struct ph_tc_knot *to, double tolerance) {
-  struct part part = {.t = t, .p = t->part, .lost = 0};
-  size_t n = t->degree;
+  struct part part = {t, from, to, tolerance, t->part, 0, 0};
   part.degree = ph_bern_low_part(&t->low, from->u, to->u, LOST * tolerance,
                                  t->part, &part.lost);
-  if (part.degree > 0) {
-    return part;
+  if (t->degree < PH_BERN_HIGH) {
+    make(&part);
   }
-  part.degree = n;
-  part.lost = 0;
-  ph_bern_cut(t->p, n, to->u, t->cut, t->spare);
-  ph_bern_cut(t->cut, n, from->u / to->u, t->spare, t->part);
-  t->part[0] = from->p;
-  t->part[n] = to->p;
   return part;
+}
+
+/* Whether cubics are so far from a part that is still to be made that it need
+ * not be; their distance then. */
+static bool is_far(const struct part *part, const struct ph_tc *tc, size_t n,
+                   const ph_cplx *joint, double *distance) {
+  double from = part->from->u, h = (part->to->u - from) / (double)n;
+  *distance = 0;
+  for (size_t i = 0; i < n && part->degree == 0; i++) {
+    ph_cplx c[4];
+    ph_tc_control_points(&tc[i], joint[i], joint[i + 1], c);
+    *distance =
+        fmax(*distance, ph_tc_least_distance(part->t, from + h * (double)i,
+                                             from + h * (double)(i + 1), c));
+  }
+  return *distance >= PH_TC_FAR * part->tolerance;
 }
 
 static double distance_of(const struct part *part, const struct ph_tc *tc,
@@ -150,9 +190,9 @@ static struct ph_tc turned(const struct ph_tc *tc, ph_cplx f) {
   return out;
 }
 
-static void try_one(const struct part *part, const struct ph_tc_knot *from,
-                    const struct ph_tc_knot *to, double enough,
+static void try_one(struct part *part, double enough,
                     struct ph_tc_patch *best) {
+  const struct ph_tc_knot *from = part->from, *to = part->to;
   ph_cplx chord = ph_cplx_sub(to->p, from->p);
   double length = ph_cplx_abs(chord), distance;
   ph_cplx along = ph_cplx_scale(1 / length, ph_cplx_conj(chord));
@@ -168,7 +208,10 @@ static void try_one(const struct part *part, const struct ph_tc_knot *from,
           b >= EVEN * a)) {
       continue;
     }
-    distance = distance_of(part, &tc, from->p, to->p, enough);
+    if (!is_far(part, &tc, 1, (ph_cplx[]){from->p, to->p}, &distance)) {
+      make(part);
+      distance = distance_of(part, &tc, from->p, to->p, enough);
+    }
     if (distance < best->distance && (blunt || distance <= SURE * length)) {
       best->n = 1;
       best->distance = distance;
@@ -186,11 +229,27 @@ static ph_cplx derivative_at(const struct ph_tc_knot *knot, double h,
   return ph_tc_snap(ph_cplx_scale(size, ph_cplx_mul(along, knot->tangent)));
 }
 
-static void try_pair(const struct part *part, const struct ph_tc_knot *from,
-                     const struct ph_tc_knot *to, double enough,
-                     struct ph_tc_patch *best) {
+static double pair_distance(struct part *part, const struct ph_tc_patch *pair,
+                            double enough) {
   const struct ph_tc_target *t = part->t;
-  struct part half[2] = {*part, *part};
+  const ph_cplx joint[3] = {part->from->p, pair->joint, part->to->p};
+  struct part half[2];
+  double distance;
+  if (is_far(part, pair->tc, 2, joint, &distance)) {
+    return distance;
+  }
+  make(part);
+  half[0] = half[1] = *part;
+  half[0].p = t->cut;
+  half[1].p = t->spare;
+  ph_bern_cut(part->p, part->degree, 0.5, t->cut, t->spare);
+  return fmax(distance_of(&half[0], &pair->tc[0], joint[0], joint[1], enough),
+              distance_of(&half[1], &pair->tc[1], joint[1], joint[2], enough));
+}
+
+static void try_pair(struct part *part, double enough,
+                     struct ph_tc_patch *best) {
+  const struct ph_tc_knot *from = part->from, *to = part->to;
   ph_cplx chord = ph_cplx_sub(to->p, from->p), f = ph_cplx_sqrt(chord);
   double length = ph_cplx_abs(chord), h = (to->u - from->u) / 2;
   ph_cplx along = ph_cplx_scale(1 / length, ph_cplx_conj(chord));
@@ -205,12 +264,7 @@ static void try_pair(const struct part *part, const struct ph_tc_knot *from,
   patch.tc[1] = turned(&fit.tc[1], f);
   patch.joint = ph_cplx_add(from->p, ph_tc_leg(&patch.tc[0]));
   patch.at = from->u + h;
-  half[0].p = t->cut;
-  half[1].p = t->spare;
-  ph_bern_cut(part->p, part->degree, 0.5, t->cut, t->spare);
-  patch.distance =
-      fmax(distance_of(&half[0], &patch.tc[0], from->p, patch.joint, enough),
-           distance_of(&half[1], &patch.tc[1], patch.joint, to->p, enough));
+  patch.distance = pair_distance(part, &patch, enough);
   if (patch.distance < best->distance) {
     *best = patch;
   }
@@ -230,10 +284,10 @@ struct ph_tc_patch ph_tc_patch_of(const struct ph_tc_target *target,
     return best;
   }
   part = part_of(target, from, to, tolerance);
-  try_one(&part, from, to, enough, &best);
+  try_one(&part, enough, &best);
   if (best.n == 0 ||
       (kind == PH_TC_ONE_OR_PAIR && !(best.distance <= tolerance))) {
-    try_pair(&part, from, to, enough, &best);
+    try_pair(&part, enough, &best);
   }
   return best;
 }

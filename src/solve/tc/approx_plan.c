@@ -105,7 +105,7 @@ static void weigh(const struct evener *s, struct mesh *m) {
   m->total = 0;
   for (size_t i = 0; i < m->n; i++) {
     double ratio = (m->e[i] - noise) / (s->tolerance - noise);
-    m->count[i] = ratio < 16 ? sqrt(sqrt(ratio)) : 2;
+    m->count[i] = ratio < PH_TC_FAR ? sqrt(sqrt(ratio)) : 2;
     m->sum += m->count[i];
     m->worst = m->e[i] > m->worst ? m->e[i] : m->worst;
     m->total += m->cubics[i];
@@ -403,11 +403,15 @@ enum ph_status ph_tc_plan_curve(const struct ph_tc_target *target,
  * enough for every simple root; double ones need not be found. */
 enum { LEVELS = 31, VISITS = 100 };
 
+/* Of what degree a part is one of a middle degree, where it can be: to find
+ * that takes as long as some cuts of less. */
+enum { SMOOTHED = 256 };
+
 struct search {
   const struct ph_arena *arena; /* knows how much time there is */
   size_t degree;
   double noise;  /* coefficients up to this size have no sign */
-  ph_cplx *pool; /* [2 LEVELS + 3][degree + 1], values in re */
+  ph_cplx *pool; /* [2 LEVELS + 4][degree + 1]: all, room, and halves */
   double *u;
   size_t n, room;
   size_t visits;
@@ -451,10 +455,16 @@ static int sign_of(const struct search *s, ph_cplx c) {
   return c.re > s->noise ? 1 : c.re < -s->noise ? -1 : 0;
 }
 
+/* A part of the polynomial: coefficients in re. */
+struct form {
+  const ph_cplx *c; /* [degree + 1] */
+  size_t degree;
+};
+
 /* The sign of the first or last coefficient that has one. */
-static int end_sign(const struct search *s, const ph_cplx *c, bool last) {
-  for (size_t k = 0; k <= s->degree; k++) {
-    int sign = sign_of(s, c[last ? s->degree - k : k]);
+static int end_sign(const struct search *s, const struct form *f, bool last) {
+  for (size_t k = 0; k <= f->degree; k++) {
+    int sign = sign_of(s, f->c[last ? f->degree - k : k]);
     if (sign != 0) {
       return sign;
     }
@@ -462,11 +472,11 @@ static int end_sign(const struct search *s, const ph_cplx *c, bool last) {
   return 0;
 }
 
-static size_t changes_of(const struct search *s, const ph_cplx *c) {
-  int sign = end_sign(s, c, false);
+static size_t changes_of(const struct search *s, const struct form *f) {
+  int sign = end_sign(s, f, false);
   size_t n = 0;
-  for (size_t k = 0; k <= s->degree; k++) {
-    if (sign * sign_of(s, c[k]) < 0) {
+  for (size_t k = 0; k <= f->degree; k++) {
+    if (sign * sign_of(s, f->c[k]) < 0) {
       sign = -sign;
       n++;
     }
@@ -495,33 +505,42 @@ static double root_of(const struct search *s, int before, double from,
   return (from + to) / 2;
 }
 
-static void look(struct search *s, const ph_cplx *c, double from, double to,
+static void look(struct search *s, struct form f, double from, double to,
                  int depth) {
-  ph_cplx *left = s->pool + (2 * (size_t)depth + 1) * (s->degree + 1);
+  ph_cplx near[PH_BERN_NEAR + 1], *room = s->pool + (s->degree + 1);
+  ph_cplx *left = room + (2 * (size_t)depth + 1) * (s->degree + 1);
   ph_cplx *right = left + (s->degree + 1);
-  double middle = (from + to) / 2;
-  size_t changes = changes_of(s, c);
+  struct form low, high;
+  double middle = (from + to) / 2, away;
+  size_t changes = changes_of(s, &f), degree;
   if (changes == 0 || s->visits == 0 || ph_arena_late(s->arena)) {
     return;
   }
   s->visits--;
   if (depth == LEVELS) {
-    if (end_sign(s, c, false) != end_sign(s, c, true)) {
+    if (end_sign(s, &f, false) != end_sign(s, &f, true)) {
       found(s, middle);
     }
     return;
   }
   if (changes == 1 && s->degree >= PH_BERN_HIGH) {
-    found(s, root_of(s, end_sign(s, c, false), from, to, depth));
+    found(s, root_of(s, end_sign(s, &f, false), from, to, depth));
     return;
   }
-  ph_bern_cut(c, s->degree, 0.5, left, right);
-  look(s, left, from, middle, depth + 1);
+  degree =
+      f.degree < SMOOTHED ? 0 : ph_bern_near(f.c, f.degree, room, near, &away);
+  if (degree > 0 && away <= s->noise) {
+    f = (struct form){near, degree};
+  }
+  ph_bern_cut(f.c, f.degree, 0.5, left, right);
+  low = (struct form){left, f.degree};
+  high = (struct form){right, f.degree};
+  look(s, low, from, middle, depth + 1);
   if (sign_of(s, right[0]) == 0 &&
-      end_sign(s, left, true) * end_sign(s, right, false) < 0) {
+      end_sign(s, &low, true) * end_sign(s, &high, false) < 0) {
     found(s, middle);
   }
-  look(s, right, middle, to, depth + 1);
+  look(s, high, middle, to, depth + 1);
 }
 
 enum ph_status ph_tc_inflections(const struct ph_tc_bezier *curve,
@@ -537,11 +556,11 @@ enum ph_status ph_tc_inflections(const struct ph_tc_bezier *curve,
     return PH_OK; /* a parabola has none */
   }
   s.pool =
-      ph_arena_array(arena, (2 * LEVELS + 3) * (2 * m - 2), sizeof *s.pool);
+      ph_arena_array(arena, (2 * LEVELS + 4) * (2 * m - 2), sizeof *s.pool);
   binomial = ph_arena_array(arena, 4 * m, sizeof *binomial);
   if (s.pool && binomial) {
     curvature_form(curve, binomial, &s);
-    look(&s, s.pool, 0, 1, 0);
+    look(&s, (struct form){s.pool, s.degree}, 0, 1, 0);
     *n = s.n;
   }
   ph_arena_release(arena, mark);
