@@ -41,49 +41,40 @@ enum ph_status ph_planar_gradient_alloc(struct ph_planar_gradient *g,
  * respect to z = w(u), z', z''.  With s = |z|^2, a = Im(conj(z) z'),
  * r = Re(conj(z) z'), a1 = Im(conj(z) z''):
  *   kappa = 2 a / s^2,  dkappa/du = 2 a1 / s^2 - 8 a r / s^3
+ * What z'' adds is left out where MV has no weight.
  */
 static void by_jet(const ph_cplx z[3], const double weight[3], ph_cplx c[3]) {
-  const ph_cplx i = {0, 1};
-  double s = ph_cplx_norm2(z[0]), s2 = s * s, s3 = s2 * s;
-  double a = ph_cplx_cross(z[0], z[1]), r = ph_cplx_dot(z[0], z[1]);
-  double a1 = ph_cplx_cross(z[0], z[2]);
-  double slope = 2 * a1 / s2 - 8 * a * r / s3;
-  double by_slope = 2 * weight[1] * slope / s;
-  double by_s = -12 * weight[0] * a * a / (s2 * s2) -
-                weight[1] * slope * slope / s2 + weight[2] +
-                by_slope * (24 * a * r / s - 4 * a1) / s3;
-  double by_a = 8 * weight[0] * a / s3 - 8 * by_slope * r / s3;
-  double by_r = -8 * by_slope * a / s3, by_a1 = 2 * by_slope / s2;
-  ph_cplx z0 = ph_cplx_conj(z[0]), z1 = ph_cplx_conj(z[1]);
-  ph_cplx turned = ph_cplx_add(ph_cplx_scale(by_a, z1),
-                               ph_cplx_scale(by_a1, ph_cplx_conj(z[2])));
-  c[0] = ph_cplx_add(ph_cplx_scale(2 * by_s, z0), ph_cplx_scale(by_r, z1));
-  c[0] = ph_cplx_add(c[0], ph_cplx_mul(i, turned));
-  c[1] = ph_cplx_mul(ph_cplx_of(by_r, -by_a), z0);
-  c[2] = ph_cplx_mul(ph_cplx_of(0, -by_a1), z0);
+  const double q = 1 / ph_cplx_norm2(z[0]), q2 = q * q, q3 = q2 * q;
+  const double a = ph_cplx_cross(z[0], z[1]), bend = a * q2;
+  double by_s = weight[2] - 12 * weight[0] * bend * bend;
+  double by_a = 8 * weight[0] * a * q3, by_r = 0;
+  c[2] = ph_cplx_of(0, 0);
+  if (fabs(weight[1]) > 0) {
+    const double r = ph_cplx_dot(z[0], z[1]), a1 = ph_cplx_cross(z[0], z[2]);
+    const double slope = 2 * q2 * (a1 - 4 * a * r * q);
+    const double by_slope = 2 * weight[1] * slope * q,
+                 by_a1 = 2 * by_slope * q2;
+    by_s += (24 * a * r * q - 4 * a1) * by_slope * q3;
+    by_s -= weight[1] * slope * slope * q2;
+    by_a -= 8 * by_slope * r * q3;
+    by_r = -8 * by_slope * a * q3;
+    c[2] = ph_cplx_of(-by_a1 * z[0].im, -by_a1 * z[0].re);
+    c[0] = ph_cplx_of(by_a1 * z[2].im, by_a1 * z[2].re);
+  } else {
+    c[0] = c[2];
+  }
+  c[0].re += 2 * by_s * z[0].re + by_r * z[1].re + by_a * z[1].im;
+  c[0].im += by_a * z[1].re - by_r * z[1].im - 2 * by_s * z[0].im;
+  c[1] = ph_cplx_of(by_r * z[0].re - by_a * z[0].im,
+                    -by_a * z[0].re - by_r * z[0].im);
 }
 
-/* What one node adds to the derivatives of segment k by w; c <- those of the
- * integrand by w, w', w'' there. */
-static void add_node(struct ph_planar_gradient *g, size_t k,
-                     const struct ph_atph_table *table, const ph_cplx w[3],
-                     double part, const double weight[3], ph_cplx z[3],
-                     ph_cplx c[3]) {
-  ph_cplx *sum = &g->by_w[3 * k];
-  for (size_t d = 0; d < 3; d++) {
-    const double *b = table->b[d];
-    z[d].re = b[0] * w[0].re + b[1] * w[1].re + b[2] * w[2].re;
-    z[d].im = b[0] * w[0].im + b[1] * w[1].im + b[2] * w[2].im;
-  }
-  by_jet(z, weight, c);
-  for (size_t i = 0; i < 3; i++) {
-    const double b[3] = {table->b[0][i], table->b[1][i], table->b[2][i]};
-    sum[i].re += part * (b[0] * c[0].re + b[1] * c[1].re + b[2] * c[2].re);
-    sum[i].im += part * (b[0] * c[0].im + b[1] * c[1].im + b[2] * c[2].im);
-  }
+static void add_to(ph_cplx *sum, double factor, ph_cplx z) {
+  sum->re += factor * z.re;
+  sum->im += factor * z.im;
 }
 
-/* What the angle changes there. */
+/* What the angle changes at a node. */
 static void add_change(struct ph_planar_gradient *g, size_t k,
                        const struct ph_atph_table *table, const ph_cplx w[3],
                        double part, const ph_cplx z[3], const ph_cplx c[3]) {
@@ -94,8 +85,28 @@ static void add_change(struct ph_planar_gradient *g, size_t k,
     change[d].im = b[0] * w[0].im + b[1] * w[1].im + b[2] * w[2].im;
     g->by_angle[k] += part * ph_cplx_mul(c[d], change[d]).re;
   }
-  g->equation[k] = ph_cplx_add(
-      g->equation[k], ph_cplx_scale(2 * part, ph_cplx_mul(z[0], change[0])));
+  add_to(&g->equation[k], 2 * part, ph_cplx_mul(z[0], change[0]));
+}
+
+/* What a node adds to the derivatives of segment k by w, and by its angle. */
+static void add_node(struct ph_planar_gradient *g, size_t k,
+                     const struct ph_seg2 *seg, double u, double part,
+                     const double weight[3]) {
+  const struct ph_atph_table table = ph_atph_table_of(&seg->space, u);
+  const ph_cplx *w = seg->w;
+  ph_cplx z[3], c[3], *sum = &g->by_w[3 * k];
+  for (size_t d = 0; d < 3; d++) {
+    const double *b = table.b[d];
+    z[d].re = b[0] * w[0].re + b[1] * w[1].re + b[2] * w[2].re;
+    z[d].im = b[0] * w[0].im + b[1] * w[1].im + b[2] * w[2].im;
+  }
+  by_jet(z, weight, c);
+  for (size_t i = 0; i < 3; i++) {
+    for (size_t d = 0; d < 3; d++) {
+      add_to(&sum[i], part * table.b[d][i], c[d]);
+    }
+  }
+  add_change(g, k, &table, w, part, z, c);
 }
 
 static void integrate(struct ph_planar_gradient *g, size_t k,
@@ -104,14 +115,46 @@ static void integrate(struct ph_planar_gradient *g, size_t k,
   const struct ph_quad *rule = &g->rule[piece->rule];
   const double step = piece->to - piece->from;
   for (size_t i = 0; i < rule->n; i++) {
-    const double u = piece->from + step * rule->node[i];
+    add_node(g, k, seg, piece->from + step * rule->node[i],
+             step * rule->weight[i], weight);
+  }
+}
+
+/* The same of a PH segment: its w' goes from one difference of its w[i] to the
+ * other, and w'' is the difference of these. */
+static void integrate_ph(struct ph_planar_gradient *g, size_t k,
+                         const struct ph_seg2 *seg,
+                         const struct ph_piece *piece, const double weight[3]) {
+  const struct ph_quad *rule = &g->rule[piece->rule];
+  const double step = piece->to - piece->from;
+  const ph_cplx *w = seg->w;
+  const ph_cplx first = ph_cplx_scale(2, ph_cplx_sub(w[1], w[0]));
+  const ph_cplx last = ph_cplx_scale(2, ph_cplx_sub(w[2], w[1]));
+  ph_cplx z[3], by[3] = {{0, 0}}, at_0 = {0, 0}, at_1 = {0, 0}, second = {0, 0};
+  z[2] = ph_cplx_sub(last, first);
+  for (size_t i = 0; i < rule->n; i++) {
+    const double u = piece->from + step * rule->node[i], v = 1 - u;
     const double part = step * rule->weight[i];
-    const struct ph_atph_table table = ph_atph_table_of(&seg->space, u);
-    ph_cplx z[3], c[3];
-    add_node(g, k, &table, seg->w, part, weight, z, c);
-    if (seg->space.angle > 0) {
-      add_change(g, k, &table, seg->w, part, z, c);
+    const double b[3] = {v * v, 2 * u * v, u * u};
+    ph_cplx c[3];
+    z[0] = ph_cplx_of(b[0] * w[0].re + b[1] * w[1].re + b[2] * w[2].re,
+                      b[0] * w[0].im + b[1] * w[1].im + b[2] * w[2].im);
+    z[1] = ph_cplx_of(v * first.re + u * last.re, v * first.im + u * last.im);
+    by_jet(z, weight, c);
+    for (size_t j = 0; j < 3; j++) {
+      add_to(&by[j], part * b[j], c[0]);
     }
+    add_to(&at_0, part * v, c[1]);
+    add_to(&at_1, part * u, c[1]);
+    add_to(&second, part, c[2]);
+  }
+  at_0 = ph_cplx_sub(at_0, second);
+  at_1 = ph_cplx_add(at_1, second);
+  add_to(&by[0], -2, at_0);
+  add_to(&by[1], 2, ph_cplx_sub(at_0, at_1));
+  add_to(&by[2], 2, at_1);
+  for (size_t j = 0; j < 3; j++) {
+    add_to(&g->by_w[3 * k + j], 1, by[j]);
   }
 }
 
@@ -132,17 +175,14 @@ static void differentiate(struct ph_planar_gradient *g,
   g->by_angle[k] = g->by_h[k] = 0;
   n = ph_pieces_of(&seg, piece);
   for (size_t p = 0; p < n; p++) {
-    integrate(g, k, &seg, &piece[p], weight);
+    (seg.space.angle > 0 ? integrate : integrate_ph)(g, k, &seg, &piece[p],
+                                                     weight);
   }
   g->equation[k] = ph_cplx_scale(1 / d->chord[k], g->equation[k]);
   for (size_t i = 0; i < 3; i++) { /* dW = W/2 dh/h */
     g->by_h[k] += 0.5 * ph_cplx_mul(g->by_w[3 * k + i], seg.w[i]).re;
     g->by_w[3 * k + i] = ph_cplx_scale(root, g->by_w[3 * k + i]);
   }
-}
-
-static void add_to(ph_cplx *sum, double factor, ph_cplx z) {
-  *sum = ph_cplx_add(*sum, ph_cplx_scale(factor, z));
 }
 
 /* J_b from the derivatives by w. */
