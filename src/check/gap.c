@@ -22,6 +22,7 @@ struct context {
   const struct ph_offset *o;
   struct ph_check_path *path;
   struct ph_check_segment *segment;
+  double size;   /* of joints and the distance together */
   size_t gap;    /* of those listed, the next one */
   size_t sample; /* the first one on the segment or later */
 };
@@ -57,8 +58,7 @@ static struct ph_check_local at_end(struct context *c, size_t k, double u) {
 static bool check_jump(struct context *c, size_t k) {
   struct ph_check *v = c->v;
   const size_t n = v->curve->n;
-  const double size = ph_check_scaled(v, ph_curve_size(v->curve)) +
-                      fabs(ph_check_scaled(v, c->o->distance));
+  const double size = c->size;
   const struct ph_check_local a = at_end(c, (k + n - 1) % n, 1);
   const struct ph_check_local b = at_end(c, k, 0);
   const double jump = ph_check_apart(a.point, b.point);
@@ -113,6 +113,8 @@ void ph_check_gaps(struct ph_check *v, const struct ph_offset *offset,
                    struct ph_check_path *path,
                    struct ph_check_segment *segment) {
   struct context c = {.v = v, .o = offset, .path = path, .segment = segment};
+  c.size = ph_check_scaled(v, ph_curve_size(v->curve)) +
+           fabs(ph_check_scaled(v, offset->distance));
   path->v = v;
   path->s = segment;
   if (!is_list(&c)) {

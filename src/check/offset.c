@@ -33,6 +33,7 @@ struct context {
   double distance; /* at unit scale; on a sphere the angle */
   struct ph_check_segment segment;
   struct ph_check_path path;
+  size_t cusp; /* of those listed, the last one that was looked for */
 };
 
 static void enter(struct context *c, size_t k) {
@@ -271,19 +272,21 @@ static bool is_before(size_t k, double u, size_t l, double w) {
 
 /* Whether a cusp is listed from one place to the other; round the joint of a
  * closed curve if the latter is the first. */
-static bool has_cusp(const struct context *c, const struct turn *from,
+static bool has_cusp(struct context *c, const struct turn *from,
                      const struct turn *to) {
   const struct ph_cusps *cusps = &c->o->cusps;
   const double *alpha = c->v->curve->preimage.alpha;
   bool round = is_before(to->k, to->u, from->k, from->u);
-  for (size_t i = 0; i < cusps->n; i++) {
-    size_t k = cusps->at[i].segment;
+  /* in their order, in which they are looked for */
+  for (size_t j = 0; j < cusps->n; j++) {
+    size_t i = (c->cusp + j) % cusps->n, k = cusps->at[i].segment;
     double t = cusps->at[i].t, u;
     bool begun, over;
     u = alpha && k < c->v->curve->n ? t / alpha[k] : t;
     begun = !is_before(k, u, from->k, from->u);
     over = is_before(to->k, to->u, k, u);
     if (round ? begun || !over : begun && !over) {
+      c->cusp = i;
       return true;
     }
   }
