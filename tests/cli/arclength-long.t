@@ -88,6 +88,26 @@ get diagnostics.iterations | tr ' ' '\n' |
 family 'smooth, free, 500' smooth 500 0 0
 get diagnostics.iterations | tr ' ' '\n' |
   holds 'smooth, free, 500: steps' 'x[1] < 10 && x[n] < 10'
+# In a plane no phase turns: F was 400 and more.
+awk -v seed=1 '
+  function normal(   k, sum) {
+    for (k = 0; k < 12; k++) {
+      seed = (seed * 16807) % 2147483647
+      sum += seed / 2147483647
+    }
+    return sum - 6
+  }
+  BEGIN {
+    for (i = 0; i <= 130; i++) {
+      data = data sprintf("%s[%.17g,%.17g,0]", i ? "," : "", x, y)
+      turn += 0.6 * normal()
+      x += cos(turn)
+      y += sin(turn)
+    }
+    print "{\"points\":[" data "]}"
+  }' >flat.json
+run arclength -q flat.json
+get diagnostics.F | holds 'a walk in the plane: F' 'x[1] < 200'
 family 'walks, 300' walk 300 1.2 0.4
 equal 'walks, 300: the start' '"wiggle"' \
   "$(get diagnostics.start | tr ' ' '\n' | sort -u)"

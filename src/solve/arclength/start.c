@@ -81,7 +81,9 @@ static double twist(const struct ph_arc_data *d, size_t n, size_t k) {
   return turn > 0 ? turn * sinh(asinh(angle / turn) / 3) : 0;
 }
 
-static void set_support(const struct ph_arc_data *d, struct support *p) {
+/* In a plane there are no phases: of twisted spinors only a part is left. */
+static void set_support(const struct ph_arc_data *d, bool twisted,
+                        struct support *p) {
   double t = 0;
   size_t n = d->mode == PH_ARC_POINTS ? d->n : d->n + 1;
   for (size_t i = 0; i < n; i++) {
@@ -100,7 +102,7 @@ static void set_support(const struct ph_arc_data *d, struct support *p) {
     set_spinor(ph_vec3_unit(v), sqrt(speed), p->w[p->n]);
     if (p->n > 0) {
       align(p->w[p->n - 1], p->w[p->n]);
-      if (n >= MANY) {
+      if (twisted && n >= MANY) {
         double grown = twist(d, n, p->n - 1);
         ph_arc_phase(cos(grown), sin(grown), p->w[p->n], p->w[p->n]);
       }
@@ -186,7 +188,7 @@ bool ph_arc_start(struct ph_arc_system *s, struct ph_arena *scratch,
       (double(*)[4])ph_arena_array(scratch, d->n + 3, 4 * sizeof(double))};
   bool ok = p.t && p.w;
   if (ok) {
-    set_support(d, &p);
+    set_support(d, s->dim == 4, &p);
     if (d->closed) {
       double chi = close_support(&p, (double)d->n);
       if (s->turn) {
