@@ -143,6 +143,10 @@ for width in 0.001 0.01 0.2; do
   family "ribbons, lengths off by $width" ribbon 1000 1 "$width"
 done
 family 'ribbons, directions off' ribbon 1000 1 0 '' 1e-3
+# Where phases turn, so do the multipliers of directions.
+family 'ribbons, 3000' ribbon 3000 1 0.001
+get diagnostics.iterations | tr ' ' '\n' |
+  holds 'ribbons, 3000: steps' 'x[1] < 8 && x[n] < 8'
 equal 'ribbons have two segments from datum to datum' '[0,1]' \
   "$(get 'intervals[0].segments' | tr ' ' '\n' | sort -u)"
 for factor in 1.0001 1.001 1.01; do

@@ -106,7 +106,8 @@ void ph_arc_blocks_settle(struct ph_arc_blocks *blocks);
  *
  * with A made positive definite on the null space of J by a shift, of many
  * intervals by shifts of blocks, an l1 merit function, a correction for the
- * curvature of the rows and phases that turn (ph_arc_retract).
+ * curvature of the rows and phases that turn (ph_arc_retract,
+ * ph_arc_retract_rows).
  */
 
 /* An iterate, and what is known of it. */
@@ -137,8 +138,9 @@ struct ph_arc_newton {
   double *c;         /* [y_n] rows of a candidate */
   double *nu;        /* [y_n] weights of |c| in the merit function */
   struct ph_arc_blocks blocks;
-  size_t times; /* that places were solved, of this start */
-  bool starved; /* there was no memory for places */
+  size_t times;          /* that places were solved, of this start */
+  bool starved;          /* there was no memory for places */
+  size_t convex, proved; /* weights of proofs that did last: tried first */
 };
 
 /* ph_arc_newton_alloc: the memory that a system needs; false: there is none. */
@@ -179,13 +181,17 @@ bool ph_arc_newton_plain(const struct ph_arc_system *system,
  * rho J^T J, pinned, has a Cholesky factor for some rho, at least with a shift
  * of the size of its rounding.  False: it is a saddle.
  *
- * in   x, y   of this system, which may be another than the one that was solved
- * in   steep  with a larger rho, for multipliers that are as large as those of
- *             a near-cusp
+ * in   x, y  of this system, which may be another than the one that was solved
  */
 bool ph_arc_is_minimum(const struct ph_arc_system *system,
                        struct ph_arc_newton *work, const double *x,
-                       const double *y, bool steep);
+                       const double *y);
+
+/* ph_arc_is_steep: the same with a larger rho, for multipliers as large as
+ * those of a near-cusp. */
+bool ph_arc_is_steep(const struct ph_arc_system *system,
+                     struct ph_arc_newton *work, const double *x,
+                     const double *y);
 
 /*
  * Places: stretches of a curve of many intervals where a step was not small.

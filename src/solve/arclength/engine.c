@@ -68,8 +68,7 @@ static bool judge_white(struct ph_arc_engine *e) {
   }
   if (e->white.white) {
     ph_arc_whitened(&e->white, p->y, e->rough_y);
-    p->minimiser =
-        ph_arc_is_minimum(&e->white, &e->work, p->x, e->rough_y, false);
+    p->minimiser = ph_arc_is_minimum(&e->white, &e->work, p->x, e->rough_y);
   }
   return true;
 }

@@ -194,7 +194,7 @@ static enum ph_status judge_in_space(struct task *t,
        ph_arc_point_alloc(&space, t->scratch, &point);
   if (ok) {
     put_in_space(&t->search.system, &space, &found->point, &point);
-    *minimum = ph_arc_is_minimum(&space, &work, point.x, point.y, false);
+    *minimum = ph_arc_is_minimum(&space, &work, point.x, point.y);
   }
   ph_arena_release(t->scratch, mark);
   return ok ? PH_OK : ph_fail_memory(t->diag);

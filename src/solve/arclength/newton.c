@@ -34,9 +34,12 @@ static const double ROUNDING = 2048 * 2.2204460492503131e-16;
 /* For the choice of a step by more: soft modes of many points need small
  * shifts, or none. */
 static const double ALARM = 1e-10;
-/* Weights of J^T J that prove a minimum, from STEEP on of a steep one. */
-enum { STEEP = 4, PROOFS = 5 };
-static const double PROOF[PROOFS] = {1e2, 1e4, 1e6, 1e8, 1e10};
+/* Weights of J^T J that prove a minimum: of 10,000 directions that are noisy
+ * 1e7 and 1e8 do, and each may fail where the other does not. */
+static const double PROOF[] = {1e2, 1e4, 1e6, 1e8, 1e7};
+enum { PROOFS = sizeof PROOF / sizeof PROOF[0] };
+/* The same of a steep one. */
+static const double PROOF_STEEP = 1e10;
 static const double SHIFT_FIRST = 1e-7, SHIFT_REFUSED = 1e-3, SHIFT_MAX = 1e10,
                     SHIFT_NONE = 1e-10;
 /* Blocks have no larger shift than this times the size of the multipliers, of
@@ -61,6 +64,8 @@ struct state {
   double y_size; /* largest multiplier */
   bool near;     /* plain Newton steps */
   bool convex;   /* shifts grew since the matrix was */
+  bool moved;    /* a step was taken, or is not needed: rows that yield hold
+                  * from the beginning */
   double noise;  /* rounding of the merit function */
   double before; /* the decrement of the step before, if that was near */
   size_t stagnations;
@@ -74,6 +79,7 @@ bool ph_arc_newton_alloc(const struct ph_arc_system *s, struct ph_arena *arena,
   size_t size = sizeof(double);
   w->arena = arena;
   w->starved = false;
+  w->convex = w->proved = 0;
   w->kkt = ph_arena_array(arena, s->kkt_n, ph_band_size(1, s->kkt_band) * size);
   w->pivot = ph_arena_array(arena, s->kkt_n, sizeof(uint32_t));
   w->penalised =
@@ -175,9 +181,11 @@ static bool is_convex(struct state *t, size_t from) {
   }
   for (size_t k = from, tries = shifted ? 2 : 4;
        k < tries && !ph_arena_late(t->w->arena); k++) {
-    struct ph_arc_weights weights = weights_of(t, k < 2 ? 0 : ALARM);
+    size_t at = from > 0 ? k : (k + t->w->convex) % tries;
+    struct ph_arc_weights weights = weights_of(t, at < 2 ? 0 : ALARM);
     if (is_positive(t->s, t->w, t->p->x, t->p->y,
-                    PENALTY[k % 2] * (1 + t->y_size), &weights)) {
+                    PENALTY[at % 2] * (1 + t->y_size), &weights)) {
+      t->w->convex = at;
       return true;
     }
   }
@@ -202,13 +210,6 @@ static bool make_convex(struct state *t) {
   return shape == PH_ARC_BENT;
 }
 
-/* The multipliers after a whole step. */
-static void set_multipliers(struct state *t) {
-  for (size_t r = 0; r < t->s->y_n; r++) {
-    t->w->y[r] = t->p->y[r] + t->w->dy[r];
-  }
-}
-
 /* The Newton step from a matrix that has the inertia of a minimum. */
 static bool find_step(struct state *t) {
   const struct ph_arc_system *s = t->s;
@@ -231,7 +232,7 @@ static bool find_step(struct state *t) {
         solve(t, w->dx, w->dy);
         if (ph_arc_largest(s->x_n, w->dx) < STEP_SINGULAR &&
             isfinite(ph_arc_largest(s->y_n, w->dy))) {
-          set_multipliers(t);
+          ph_arc_retract_rows(s, p->x, w->dx, 1, p->y, w->dy, w->y);
           return true;
         }
       }
@@ -320,12 +321,15 @@ static void weigh_rows(struct state *t) {
 static void correct(struct state *t, const double *x, double step) {
   const struct ph_arc_system *s = t->s;
   struct ph_arc_newton *w = t->w;
+  size_t knots = s->data->n * s->forms_n;
   ph_arc_residual(s, x, w->c);
   memset(w->step, 0, s->kkt_n * sizeof *w->step);
   for (size_t r = 0; r < s->y_n; r++) {
     double soft = ph_arc_compliance(s, r), y = t->p->y[r];
     double linear = (1 - step) * (w->linear.c[r] - soft * y);
-    w->step[s->place_y[r]] = linear + soft * (y + step * w->dy[r]) - w->c[r];
+    if (!(soft > 0 && r >= knots)) { /* those yield, and turn with phases */
+      w->step[s->place_y[r]] = linear + soft * (y + step * w->dy[r]) - w->c[r];
+    }
   }
   solve(t, w->dx2, NULL);
   for (size_t k = 0; k < s->x_n; k++) {
@@ -436,6 +440,7 @@ static double decrement(const struct state *t) {
 static void look(struct state *t) {
   const struct ph_arc_system *s = t->s;
   struct ph_arc_point *p = t->p;
+  ph_arc_yield(s, p->x, p->y);
   ph_arc_linearise(s, p->x, p->y, &t->w->linear);
   memcpy(t->w->gradient, t->w->linear.l_x, s->x_n * sizeof *p->x);
   ph_arc_ends_gradient(s, p->x, t->w->gradient);
@@ -463,6 +468,7 @@ static void finish(struct state *t) {
   struct ph_arc_newton *w = t->w;
   ph_arc_retract(s, t->p->x, w->dx, 1, w->x[0]);
   ph_arc_residual(s, w->x[0], w->c);
+  ph_arc_yield(s, w->x[0], w->y);
   if (rows_hold(s, w->c, w->y)) {
     memcpy(t->p->x, w->x[0], s->x_n * sizeof *w->x[0]);
     memcpy(t->p->y, w->y, s->y_n * sizeof *w->y);
@@ -489,7 +495,7 @@ static bool iterate(struct state *t) {
   if (!find_step(t)) {
     return false;
   }
-  if (rows_hold(s, w->linear.c, p->y) && is_settled(t)) {
+  if (t->moved && rows_hold(s, w->linear.c, p->y) && is_settled(t)) {
     finish(t);
     return false;
   }
@@ -503,10 +509,9 @@ static bool iterate(struct state *t) {
     t->shift = t->shift > SHIFT_REFUSED / 10 ? 10 * t->shift : SHIFT_REFUSED;
     return t->shift <= SHIFT_MAX;
   }
+  ph_arc_retract_rows(s, p->x, w->dx, step, p->y, w->dy, p->y);
   memcpy(p->x, w->x[0], s->x_n * sizeof *p->x);
-  for (size_t r = 0; r < s->y_n; r++) {
-    p->y[r] += step * w->dy[r];
-  }
+  t->moved = true;
   if (t->near && step < 0.2) { /* not so near */
     t->limit = fmax(p->residual, p->kkt) / 10;
   }
@@ -538,6 +543,7 @@ bool ph_arc_newton_solve(const struct ph_arc_system *s,
   bool go = true;
   work->times = 0;
   p->converged = p->minimiser = false;
+  t.moved = !s->knot_compliance;
   memset(work->nu, 0, s->y_n * sizeof *work->nu);
   look(&t);
   while (p->iterations < end && go && isfinite(p->f) && !is_done(&t)) {
@@ -554,7 +560,7 @@ bool ph_arc_newton_solve(const struct ph_arc_system *s,
       decrement(&t) <= NEAR_DECREMENT * p->f) {
     p->converged = true;
   }
-  p->minimiser = p->converged && ph_arc_is_minimum(s, work, p->x, p->y, false);
+  p->minimiser = p->converged && ph_arc_is_minimum(s, work, p->x, p->y);
   return p->converged;
 }
 
@@ -579,25 +585,37 @@ bool ph_arc_newton_plain(const struct ph_arc_system *s,
     memcpy(p->y, work->y, s->y_n * sizeof *p->y);
     p->iterations++;
   }
-  p->minimiser = p->converged && ph_arc_is_minimum(s, work, p->x, p->y, false);
+  p->minimiser = p->converged && ph_arc_is_minimum(s, work, p->x, p->y);
   return p->converged;
+}
+
+/* Whether the Hessian is positive definite with this weight of J^T J, and a
+ * shift of its rounding. */
+static bool proves(const struct ph_arc_system *s, struct ph_arc_newton *work,
+                   const double *x, const double *y, double rho,
+                   double rounding) {
+  struct ph_arc_weights weights = {
+      .functional = 1, .pin = PIN, .rounding = rounding};
+  return is_positive(s, work, x, y, rho, &weights);
 }
 
 bool ph_arc_is_minimum(const struct ph_arc_system *s,
                        struct ph_arc_newton *work, const double *x,
-                       const double *y, bool steep) {
-  size_t first = steep ? STEEP : 0, end = steep ? PROOFS : STEEP;
+                       const double *y) {
   ph_arc_linearise(s, x, y, &work->linear);
-  for (size_t k = 0; k < 2 * (end - first) && !ph_arena_late(work->arena);
-       k++) {
-    struct ph_arc_weights weights = {.functional = 1,
-                                     .pin = PIN,
-                                     .rounding =
-                                         k < end - first ? 0 : ROUNDING};
-    if (is_positive(s, work, x, y, PROOF[first + k % (end - first)],
-                    &weights)) {
+  for (size_t k = 0; k < 2 * PROOFS && !ph_arena_late(work->arena); k++) {
+    size_t at = (k + work->proved) % (2 * PROOFS);
+    if (proves(s, work, x, y, PROOF[at % PROOFS], at < PROOFS ? 0 : ROUNDING)) {
+      work->proved = at;
       return true;
     }
   }
   return false;
+}
+
+bool ph_arc_is_steep(const struct ph_arc_system *s, struct ph_arc_newton *work,
+                     const double *x, const double *y) {
+  ph_arc_linearise(s, x, y, &work->linear);
+  return proves(s, work, x, y, PROOF_STEEP, 0) ||
+         proves(s, work, x, y, PROOF_STEEP, ROUNDING);
 }

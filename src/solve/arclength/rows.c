@@ -185,6 +185,38 @@ static void knot_rows(const struct ph_arc_system *s, const double *x, size_t j,
   }
 }
 
+void ph_arc_retract_rows(const struct ph_arc_system *s, const double *x,
+                         const double *dx, double step, const double *y,
+                         const double *dy, double *to) {
+  size_t knots = s->data->n * s->forms_n;
+  size_t rows = s->phases && s->direction ? knots : s->y_n;
+  for (size_t r = 0; r < rows; r++) {
+    to[r] = y[r] + step * dy[r];
+  }
+  for (size_t r = rows; r < s->y_n; r += 2) {
+    double m[4], dm[4], im[4], size, p, u, v;
+    knot_value(s, x, (r - knots) / 2, m);
+    knot_value(s, dx, (r - knots) / 2, dm);
+    size = ph_arc_dot(4, m, m);
+    ph_arc_turned(m, im);
+    p = size > 0 ? ph_arc_dot(4, im, dm) / size : 0;
+    u = y[r] + step * (dy[r] + p * y[r + 1]);
+    v = y[r + 1] + step * (dy[r + 1] - p * y[r]);
+    to[r] = cos(step * p) * u - sin(step * p) * v;
+    to[r + 1] = sin(step * p) * u + cos(step * p) * v;
+  }
+}
+
+void ph_arc_yield(const struct ph_arc_system *s, const double *x, double *y) {
+  for (size_t j = 0; s->knot_compliance && j <= s->data->n; j++) {
+    double soft = s->knot_compliance[j], c[3];
+    knot_rows(s, x, j, c, NULL);
+    for (size_t k = 0; soft > 0 && k < s->knot_rows; k++) {
+      y[s->data->n * s->forms_n + j * s->knot_rows + k] = c[k] / soft;
+    }
+  }
+}
+
 double ph_arc_deviation(const struct ph_arc_system *s, const double *x,
                         size_t j) {
   double m[4], off = 0, size;

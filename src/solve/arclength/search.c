@@ -291,9 +291,8 @@ static void begin(struct run *run, const struct kind *kind) {
 static void keep_saddle(struct run *run, size_t start) {
   struct ph_arc_search *search = run->search;
   struct ph_arc_point *p = &run->engine.point, *kept = &search->saddle.point;
-  bool steep =
-      !(search->has_saddle && kept->minimiser) &&
-      ph_arc_is_minimum(&search->system, &run->engine.work, p->x, p->y, true);
+  bool steep = !(search->has_saddle && kept->minimiser) &&
+               ph_arc_is_steep(&search->system, &run->engine.work, p->x, p->y);
   if (steep || !search->has_saddle) {
     search->has_saddle = true;
     search->saddle.start = start;

@@ -244,7 +244,7 @@ bool ph_arc_system_of(const struct ph_arc_data *data, size_t refine, size_t dim,
                               .sign = 1};
   s->nodes = data->closed ? s->segments : s->segments + 2;
   s->x_n = s->nodes * dim + (s->turn ? 1 : 0);
-  s->phases = dim == 4 && data->mode == PH_ARC_POINTS &&
+  s->phases = dim == 4 && data->mode != PH_ARC_DERIVATIVES &&
               s->nodes >= PH_ARC_MANY * refine;
   set_rows(s, exact && data->length != NULL);
   s->kkt_n = s->x_n + s->y_n;

@@ -446,9 +446,9 @@ struct ph_arc_weights {
  *                           min(|w_j|, |w_j+1|)^2 (p_j+1 - p_j)^2:
  *
  * the unit matrix would take the turn of one side for a change of all its
- * nodes, the larger the longer the curve is.  Systems of many points in space
- * have phases; with directions rows turn with them, and few points lead as well
- * without, to other minima: there d is the whole change.
+ * nodes, the larger the longer the curve is.  Systems of many points or
+ * directions in space have phases; few lead as well without, to other minima:
+ * there d is the whole change.
  */
 
 /* ph_arc_retract_square: g . (second derivatives of ph_arc_retract_node). */
@@ -510,6 +510,24 @@ void ph_arc_retract(const struct ph_arc_system *system, const double *x,
 /* ph_arc_retract_node: the same of node j alone. */
 void ph_arc_retract_node(const struct ph_arc_system *system, const double *x,
                          const double *dx, double step, size_t j, double *to);
+
+/*
+ * ph_arc_retract_rows: y + step dy of multipliers, along ph_arc_retract.
+ *
+ * Where phases turn the rows (3) turn as well, and with them their multipliers:
+ * y <- e^(i p) (y + dy - i p y), p that of the knot.  What is left of both is
+ * then as if nothing had turned.
+ *
+ * out  to[y_n]  may be y
+ */
+void ph_arc_retract_rows(const struct ph_arc_system *system, const double *x,
+                         const double *dx, double step, const double *y,
+                         const double *dy, double *to);
+
+/* ph_arc_yield: multipliers of rows (3) that yield, c / compliance: linear rows
+ * have no need of others on the way.  inout y[y_n] */
+void ph_arc_yield(const struct ph_arc_system *system, const double *x,
+                  double *y);
 
 /* ---- pieces -------------------------------------------------------------- */
 
