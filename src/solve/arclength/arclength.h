@@ -493,6 +493,7 @@ struct ph_arc_request {
                   * nowhere */
   bool waves;    /* and random waves */
   bool saddles;  /* whatever is stationary is looked for */
+  bool stay;     /* no start is iterated: where the first begins is asked for */
   const struct ph_arc_natural *natural; /* of a search before, of the same data,
                                          * refine and dim; NULL: it is found */
 };

@@ -11,8 +11,10 @@ enum { STEPS = 150, TRIALS = 60, FAILURES = 6 };
 /* The root mean square is 1 to this. */
 static const double CLOSE = 1e-7;
 
-/* From one trial to the next the weight changes by no more than this. */
-static const double FAR = 30;
+/* From one trial to the next the weight changes by no more than this, the
+ * second where a fit begins at a first iterate: with 30 the matrix is not
+ * convex there, and 3200 directions take 58 Cholesky factors, with 10 36. */
+static const double FAR[2] = {30, 10};
 
 /* The root mean square of the angles themselves is at most this. */
 static const double DODGED = 3;
@@ -33,6 +35,7 @@ struct fit {
   double *c;                 /* [y_n] rows of good */
   size_t terms;              /* directions and lengths that were measured */
   double most;               /* the largest 1 / weight */
+  double far;                /* see FAR */
   double found;              /* that of good; 0: there is none */
   double rms;                /* there */
 };
@@ -146,11 +149,11 @@ struct bracket {
 /* The next p. */
 static double next(const struct fit *f, const struct bracket *b) {
   double at = 1 / f->found, q = at + (1 - 1 / f->rms) / b->slope;
-  double p = q * FAR > at ? 1 / q : FAR * f->found;
-  p = fmin(fmax(p, f->found / FAR), f->most);
+  double p = q * f->far > at ? 1 / q : f->far * f->found;
+  p = fmin(fmax(p, f->found / f->far), f->most);
   return p > b->low && p < b->high ? p
-         : isinf(b->high)          ? fmin(FAR * b->low, f->most)
-                          : sqrt(fmax(b->low, b->high / FAR) * b->high);
+         : isinf(b->high)          ? fmin(f->far * b->low, f->most)
+                          : sqrt(fmax(b->low, b->high / f->far) * b->high);
 }
 
 /* Whether the weight is as it should be: with no less of it there is a curve
@@ -168,7 +171,7 @@ static bool find_weight(struct fit *f, double p) {
        k++) {
     double q = f->found > 0 ? 1 / f->found : 0, inverse = 1 / f->rms, slope;
     if (!try_weight(f, p)) {
-      p = f->found > 0 ? sqrt(p * f->found) : p / FAR;
+      p = f->found > 0 ? sqrt(p * f->found) : p / f->far;
       failures++;
       continue;
     }
@@ -186,12 +189,14 @@ static bool find_weight(struct fit *f, double p) {
 
 /* ---- the whole ----------------------------------------------------------- */
 
-/* Fits the curve of a point with exact directions, or one without. */
+/* Fits the curve of a point with exact directions, or one without: this begins
+ * with the weight for which F there is FAR times what the rows may cost. */
 static bool fit_point(struct fit *f, struct ph_arc_point *p) {
   bool near = p->converged || p->residual <= NEAR;
   double slope = near ? spread(f, p->y, true) : 0;
   f->found = 0;
   f->rms = 1;
+  f->far = FAR[slope > 0 ? 0 : 1];
   ph_arc_point_copy(&f->soft, p, &f->good);
   if (p->converged && !(slope * f->most > CLOSE)) {
     return try_weight(f, f->most); /* straight, and as it was measured */
@@ -199,7 +204,9 @@ static bool fit_point(struct fit *f, struct ph_arc_point *p) {
   if (!near) {
     memset(f->good.y, 0, f->soft.y_n * sizeof *f->good.y);
   }
-  return find_weight(f, slope > 0 ? fmin(1 / slope, f->most) : 1);
+  return find_weight(
+      f,
+      fmin(slope > 0 ? 1 / slope : f->far * (double)f->terms / p->f, f->most));
 }
 
 /* Keeps a minimum, the lowest first. */

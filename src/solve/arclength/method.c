@@ -217,24 +217,27 @@ static bool search_now(struct task *t) {
   return true;
 }
 
-/* Measured tangents are fitted from where the exact ones led: they need not be
- * kept for that, and of many sensors a curve that does is far away. */
+/* Measured tangents are fitted from where exact ones begin, if they are many: a
+ * curve that keeps these winds, the more the longer it is.  Where that leads
+ * nowhere, and of few, they are fitted from where the exact ones led. */
 static bool fit_in(struct task *t) {
   const bool rescue = t->request.rescue, waves = t->request.waves;
   const bool all = t->request.all || t->request.random > 0 || !rescue;
   struct ph_mark mark = ph_arena_mark(t->scratch);
-  if (!all) {
-    t->request.rescue = t->request.waves = false;
+  t->request.rescue = t->request.waves = false;
+  for (size_t k = t->data.n >= PH_ARC_MANY ? 0 : 1; !all && k < 2; k++) {
+    t->request.stay = k == 0;
     if (!search_now(t) || !ph_arc_fit(&t->data, t->scratch, &t->search)) {
       return false;
     }
-    t->request.rescue = rescue;
-    t->request.waves = waves;
     if (t->search.found_n > 0) {
       return true;
     }
     ph_arena_release(t->scratch, mark);
   }
+  t->request.stay = false;
+  t->request.rescue = rescue;
+  t->request.waves = waves;
   return search_now(t) && ph_arc_fit(&t->data, t->scratch, &t->search);
 }
 

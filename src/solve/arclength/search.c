@@ -332,7 +332,8 @@ static bool note(struct run *run, const char *name) {
 
 /* Tries a start; false: no memory, or no time. */
 static bool try_start(struct run *run, const struct kind *kind) {
-  size_t steps = kind->rho > 0 ? PH_ARC_STEPS_AFTER
+  size_t steps = run->request->stay ? 0
+                 : kind->rho > 0    ? PH_ARC_STEPS_AFTER
                  : run->single || kind->wave > 0
                      ? PH_ARC_STEPS
                      : ph_arc_engine_first_steps(&run->engine);
