@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Blocks of unknowns in Newton's method (see arclength.h). */
+/* Blocks of unknowns in Newton's method (see newton.h). */
 #include "solve/arclength/arclength.h"
 
 #include "kernel/band.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Newton's method for the equations of arclength (see arclength.h). */
+/* Newton's method for the equations of arclength (see newton.h). */
 #include "solve/arclength/arclength.h"
 
 #include "kernel/band.h"
@@ -22,24 +22,12 @@ static const double NEAR = 1e-7;
 static const double NEAR_DECREMENT = 1e-6; /* enough when steps are used up */
 /* Residuals and gradients of a part. */
 static const double PART = 1e-6;
-/* Weight of what fixes the common phase. */
-static const double PIN = 1e3;
 /* Weights of J^T J in the test of A, each times 1 + |y|: with a fixed weight
  * large multipliers would give false alarms. */
 static const double PENALTY[2] = {1e4, 1e7};
-/* Where that fails, the diagonal is raised by this part of the largest element
- * of the Hessian, below which curvature is rounding: of many points all is.  It
- * is half of what the certificate takes for rounding (check/stationary.c). */
-static const double ROUNDING = 2048 * 2.2204460492503131e-16;
-/* For the choice of a step by more: soft modes of many points need small
- * shifts, or none. */
+/* Where that fails the diagonal is raised by this part of the largest element
+ * of the Hessian: soft modes of many points need small shifts, or none. */
 static const double ALARM = 1e-10;
-/* Weights of J^T J that prove a minimum: of 10,000 directions that are noisy
- * 1e7 and 1e8 do, and each may fail where the other does not. */
-static const double PROOF[] = {1e2, 1e4, 1e6, 1e8, 1e7};
-enum { PROOFS = sizeof PROOF / sizeof PROOF[0] };
-/* The same of a steep one. */
-static const double PROOF_STEEP = 1e10;
 static const double SHIFT_FIRST = 1e-7, SHIFT_REFUSED = 1e-3, SHIFT_MAX = 1e10,
                     SHIFT_NONE = 1e-10;
 /* Blocks have no larger shift than this times the size of the multipliers, of
@@ -148,20 +136,11 @@ static void solve(struct state *t, double *dx, double *dy) {
   }
 }
 
-/* Whether the Hessian with rho J^T J is positive definite. */
-static bool is_positive(const struct ph_arc_system *s, struct ph_arc_newton *w,
-                        const double *x, const double *y, double rho,
-                        const struct ph_arc_weights *weights) {
-  ph_arc_penalised(s, x, y, &w->linear, weights, rho, w->penalised);
-  return !ph_arena_late(w->arena) &&
-         ph_sym_factor(w->penalised, s->x_n, s->order_band);
-}
-
 /* Of matrices that steps are taken with. */
 static struct ph_arc_weights weights_of(struct state *t, double rounding) {
   struct ph_arc_weights weights = {.functional = 1,
                                    .shift = t->shift,
-                                   .pin = PIN,
+                                   .pin = PH_ARC_PIN,
                                    .rounding = rounding,
                                    .retracted = true};
   if (!t->near) {
@@ -183,8 +162,8 @@ static bool is_convex(struct state *t, size_t from) {
        k < tries && !ph_arena_late(t->w->arena); k++) {
     size_t at = from > 0 ? k : (k + t->w->convex) % tries;
     struct ph_arc_weights weights = weights_of(t, at < 2 ? 0 : ALARM);
-    if (is_positive(t->s, t->w, t->p->x, t->p->y,
-                    PENALTY[at % 2] * (1 + t->y_size), &weights)) {
+    if (ph_arc_is_positive(t->s, t->w, t->p->x, t->p->y,
+                           PENALTY[at % 2] * (1 + t->y_size), &weights)) {
       t->w->convex = at;
       return true;
     }
@@ -587,35 +566,4 @@ bool ph_arc_newton_plain(const struct ph_arc_system *s,
   }
   p->minimiser = p->converged && ph_arc_is_minimum(s, work, p->x, p->y);
   return p->converged;
-}
-
-/* Whether the Hessian is positive definite with this weight of J^T J, and a
- * shift of its rounding. */
-static bool proves(const struct ph_arc_system *s, struct ph_arc_newton *work,
-                   const double *x, const double *y, double rho,
-                   double rounding) {
-  struct ph_arc_weights weights = {
-      .functional = 1, .pin = PIN, .rounding = rounding};
-  return is_positive(s, work, x, y, rho, &weights);
-}
-
-bool ph_arc_is_minimum(const struct ph_arc_system *s,
-                       struct ph_arc_newton *work, const double *x,
-                       const double *y) {
-  ph_arc_linearise(s, x, y, &work->linear);
-  for (size_t k = 0; k < 2 * PROOFS && !ph_arena_late(work->arena); k++) {
-    size_t at = (k + work->proved) % (2 * PROOFS);
-    if (proves(s, work, x, y, PROOF[at % PROOFS], at < PROOFS ? 0 : ROUNDING)) {
-      work->proved = at;
-      return true;
-    }
-  }
-  return false;
-}
-
-bool ph_arc_is_steep(const struct ph_arc_system *s, struct ph_arc_newton *work,
-                     const double *x, const double *y) {
-  ph_arc_linearise(s, x, y, &work->linear);
-  return proves(s, work, x, y, PROOF_STEEP, 0) ||
-         proves(s, work, x, y, PROOF_STEEP, ROUNDING);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Places where Newton's steps are not small (see arclength.h). */
+/* Places where Newton's steps are not small (see newton.h). */
 #include "solve/arclength/arclength.h"
 
 #include "solve/arclength/system.h"
