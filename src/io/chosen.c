@@ -108,10 +108,9 @@ enum ph_status ph_chosen_read(const char *text, enum ph_parts parts,
   for (;;) {
     const char *end = reader.path + strcspn(reader.path, ",");
     const bool error =
-        end - reader.path == 5 && memcmp(reader.path, "error", 5) == 0;
-    enum ph_status status =
-        error ? PH_OK
-              : add_path(&reader, ph_members_result(parts), end, chosen);
+        strncmp(reader.path, "error", 5) == 0 && strchr(".,", reader.path[5]);
+    enum ph_status status = add_path(
+        &reader, error ? "failure" : ph_members_result(parts), end, chosen);
     if (status != PH_OK || !*end) {
       return status;
     }

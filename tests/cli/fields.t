@@ -66,6 +66,14 @@ equal 'an error record' '{"id":"bad","command":"planar","status":"error",'\
 run planar --strict -q --fields=id -S closed=true plane.jsonl
 equal 'warnings count' 1 "$status"
 
+run planar -q --fields=length plane.jsonl
+cp out whole
+run planar -q --fields=error.code plane.jsonl
+equal 'a part of an error' "$(sed -n 2p whole)" "$(sed -n 2p out)"
+run planar --fields=error.cod plane.jsonl
+expect 'a name of an error' 2 "phspline: --fields: no member 'error.cod'; did \
+you mean \"code\"?
+Try 'phspline planar --help'." ''
 run planar --fields=lenght plane.jsonl
 expect 'a name' 2 "phspline: --fields: no member 'lenght'; did you mean \
 \"length\"?
