@@ -295,17 +295,11 @@ static enum ph_status fail_missed(const struct ph_arc_search *search,
 enum ph_status ph_arc_report_failure(const struct ph_arc_search *search,
                                      struct ph_arena *scratch,
                                      struct ph_diag *diag) {
-  const struct ph_arc_point *p = &search->nearest;
   if (search->stood_still) {
     return ph_fail(diag, PH_E_NO_CONVERGENCE, "tangents",
                    "have no curve that was found by %zu starts but some that "
                    "stand still at one of them",
                    search->starts_n);
-  }
-  if (p->converged) {
-    return ph_fail(diag, PH_E_NO_CONVERGENCE, NULL,
-                   "no minimum was found by %zu starts, but a saddle, F %.6g",
-                   search->starts_n, p->f * unit(search));
   }
   return fail_missed(search, scratch, diag);
 }

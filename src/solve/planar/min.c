@@ -31,8 +31,7 @@ static const double SAME = 1e-12;
 enum { STARTS = 7, WORK_MAX = 200000 };
 
 /* How far second derivatives are from the diagonal, and how many steps the last
- * search takes with the same: with 20 MV of 320
- * points takes 6 % longer. */
+ * search takes with the same: with 20 MV of 320 points takes 6 % longer. */
 enum { NEAR = 8, ROUND = 30 };
 
 static bool candidate_alloc(struct ph_planar_candidate *c,
