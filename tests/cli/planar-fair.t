@@ -168,20 +168,28 @@ expect 'near a line: verified' 0
 
 # ---- a search that is cut short says so --------------------------------------
 
+# walks COUNT N: random walks of N points, each with its MV to be minimised
+walks() {
+  awk -v count="$1" -v n="$2" 'BEGIN {
+    state = 12345
+    for (k = 0; k < count; k++) {
+      p[0] = p[1] = 0
+      for (i = 0; i < n; i++) {
+        for (c = 0; c < 2; c++) {
+          state = (state * 16807) % 2147483647
+          p[c] += state / 2147483647 - 0.5
+        }
+        printf "%s[%.6f,%.6f]", i ? "," : "{\"minimize\":\"MV\",\"points\":[",
+          p[0], p[1]
+      }
+      print "]}"
+    }
+  }'
+}
+
 # A random walk of 1500 points has 1 + 200000 / 1499 steps.
 if [ "${PH_SHORT-}" != 1 ]; then
-  awk 'BEGIN {
-    state = 12345
-    for (i = 0; i < 1500; i++) {
-      for (c = 0; c < 2; c++) {
-        state = (state * 16807) % 2147483647
-        p[c] += state / 2147483647 - 0.5
-      }
-      printf "%s[%.6f,%.6f]", i ? "," : "{\"minimize\":\"MV\",\"points\":[",
-        p[0], p[1]
-    }
-    print "]}"
-  }' >p
+  walks 1 1500 >p
   run planar p
   # where so many steps lead depends on the last digit of each
   equal 'cut short: told, with the limit and the values' \
@@ -198,21 +206,7 @@ fi
 
 # Random walks of 60 points: with a first estimate of the second derivatives alone
 # the mean of the logarithms was 7.67, with differences it is 7.40.
-awk 'BEGIN {
-  state = 12345
-  for (k = 0; k < 16; k++) {
-    p[0] = p[1] = 0
-    for (i = 0; i < 60; i++) {
-      for (c = 0; c < 2; c++) {
-        state = (state * 16807) % 2147483647
-        p[c] += state / 2147483647 - 0.5
-      }
-      printf "%s[%.6f,%.6f]", i ? "," : "{\"minimize\":\"MV\",\"points\":[",
-        p[0], p[1]
-    }
-    print "]}"
-  }
-}' >p
+walks 16 60 >p
 run planar -q p
 expect 'minima of MV of many points' 0
 floats diagnostics.functional |

@@ -142,9 +142,6 @@ enum { REFUSALS = 30 };
 /* Rounding of the value. */
 static const double NOISE = 1e-13;
 
-/* The pin of the common phase: as much as rho, or steps are bent. */
-static const double PIN = 1e3;
-
 /* Directions are turned, not kept, with the common phase: there is nothing to
  * pin, but the matrix may be singular. */
 static const double SHIFT_SINGULAR = 1e-7;
@@ -192,10 +189,11 @@ static void begin(struct ph_arc_lagrangian *g) {
 void ph_arc_model(struct ph_arc_lagrangian *g) {
   const struct ph_arc_system *s = g->s;
   struct ph_arc_work *w = g->w;
-  struct ph_arc_weights weights = {.functional = 1,
-                                   .shift = s->direction ? SHIFT_SINGULAR : 0,
-                                   .pin = s->direction ? 0 : fmax(PIN, g->rho),
-                                   .retracted = true};
+  struct ph_arc_weights weights = {
+      .functional = 1,
+      .shift = s->direction ? SHIFT_SINGULAR : 0,
+      .pin = s->direction ? 0 : fmax(PH_ARC_PIN, g->rho),
+      .retracted = true};
   for (size_t r = 0; r < s->y_n; r++) {
     w->y[r] = ph_arc_multiplier(g, w->c, r);
   }

@@ -185,7 +185,9 @@ static bool solve(struct pass *pass, size_t first, size_t n) {
     point.iterations = 0;
     ph_arc_blocks_begin(&work.blocks);
     ph_arc_newton_solve(&part, &work, STEPS, &point);
-    take_over(pass, &part, first, &point);
+    if (isfinite(point.f)) {
+      take_over(pass, &part, first, &point);
+    }
     pass->steps += (double)point.iterations * (double)n / (double)s->data->n;
   }
   ph_arena_release(arena, before);
@@ -205,7 +207,7 @@ static size_t cut(size_t first, size_t end, size_t times) {
   return end - at < WIDTH / 2 ? end : at;
 }
 
-/* How many intervals from one on are busy, of WIDTH at most. */
+/* How many intervals from one on are busy, of half of WIDTH. */
 static size_t run(const struct pass *pass, size_t at, bool back) {
   size_t n = 0;
   while (n < WIDTH / 2 && pass->busy[back ? at - n : at + n]) {
@@ -214,7 +216,8 @@ static size_t run(const struct pass *pass, size_t at, bool back) {
   return n;
 }
 
-/* Solves all, that over the seam at last; false: no memory. */
+/* Solves all, that over the seam at last; false: no memory.  One that begins or
+ * ends just there is left to the whole. */
 static bool solve_all(struct pass *pass, size_t times) {
   const struct ph_arc_system *s = pass->s;
   size_t n = s->data->n, head = 0, tail = 0;

@@ -482,6 +482,36 @@ PH_TEST(test_retract_turns_phases) {
   }
 }
 
+/* Multipliers of directions turn with their rows: a common phase leaves what
+ * the rows weigh as it is, whatever its size. */
+PH_TEST_EACH(test_multipliers_turn, SORTS) {
+  struct unit_random r = unit_random_of(1100 + (uint64_t)_i);
+  struct setting t;
+  double dx[X_MAX] = {0}, to[X_MAX], dy[Y_MAX] = {0}, y[Y_MAX], c[Y_MAX];
+  double before, first;
+  size_t knots;
+  if (sorts[_i].dim != 4 || sorts[_i].mode != PH_ARC_TANGENTS) {
+    return;
+  }
+  set_up(&r, &sorts[_i], &t);
+  knots = t.data.n * t.system.forms_n;
+  for (size_t j = 0; j < t.system.nodes; j++) {
+    ph_arc_turned(t.x + 4 * j, dx + 4 * j);
+  }
+  for (size_t k = knots; k < t.system.y_n; k += 2) {
+    dy[k] = -t.y[k + 1];
+    dy[k + 1] = t.y[k];
+  }
+  ph_arc_residual(&t.system, t.x, c);
+  first = c[knots];
+  before = ph_arc_dot(t.system.y_n - knots, t.y + knots, c + knots);
+  ph_arc_retract(&t.system, t.x, dx, 0.7, to);
+  ph_arc_retract_rows(&t.system, t.x, dx, 0.7, t.y, dy, y);
+  ph_arc_residual(&t.system, to, c);
+  ck_abs(ph_arc_dot(t.system.y_n - knots, y + knots, c + knots), before, 1e-13);
+  ck_assert(fabs(c[knots] - first) > 1e-3); /* they did turn */
+}
+
 /* A step of any kind is x + dx to first order. */
 PH_TEST_EACH(test_retract_is_a_step, SORTS) {
   struct unit_random r = unit_random_of(1110 + (uint64_t)_i);
