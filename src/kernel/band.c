@@ -175,10 +175,11 @@ static size_t trim(const double *x, size_t n) {
  * column j of L, from below the diagonal down: there the row is 0 by then, and
  * both solutions go along rows.  L is not permuted by later exchanges.
  */
-bool ph_band_factor(double *a, uint32_t *pivot, size_t n, size_t k) {
+bool ph_band_reduce(double *a, uint32_t *pivot, size_t n, size_t k, size_t from,
+                    size_t before, size_t *known) {
   const size_t down = 3 * k; /* to the element below */
-  size_t end = 0;            /* no row has elements from this column on */
-  for (size_t j = 0; j < n; j++) {
+  size_t end = *known;
+  for (size_t j = from; j < before; j++) {
     double *at = a + j * (down + 1) + k, *l = at - k;
     const size_t rows = least(k, n - 1 - j), p = pivot_of(at, rows, down);
     size_t width;
@@ -202,7 +203,13 @@ bool ph_band_factor(double *a, uint32_t *pivot, size_t n, size_t k) {
       }
     }
   }
+  *known = end;
   return true;
+}
+
+bool ph_band_factor(double *a, uint32_t *pivot, size_t n, size_t k) {
+  size_t end = 0;
+  return ph_band_reduce(a, pivot, n, k, 0, n, &end);
 }
 
 void ph_band_solve(const double *a, const uint32_t *pivot, size_t n, size_t k,

@@ -63,6 +63,15 @@ static inline double *ph_band_at(double *a, size_t k, size_t i, size_t j) {
  */
 bool ph_band_factor(double *a, uint32_t *pivot, size_t n, size_t k);
 
+/*
+ * ph_band_reduce: the same of columns from one on to before another, where
+ * those before it have been.  Rows k below these are needed only.
+ *
+ * inout end  0 before the first; no row so far has elements from it on
+ */
+bool ph_band_reduce(double *a, uint32_t *pivot, size_t n, size_t k, size_t from,
+                    size_t before, size_t *end);
+
 /* ph_band_solve: x = A^-1 x, after ph_band_factor. */
 void ph_band_solve(const double *a, const uint32_t *pivot, size_t n, size_t k,
                    double *x);

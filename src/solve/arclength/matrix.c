@@ -3,136 +3,13 @@
 #include "solve/arclength/system.h"
 
 #include "kernel/band.h"
+#include "solve/arclength/second.h"
 
 #include <math.h>
 #include <string.h>
 
 /* Weight of what holds ends. */
 static const double HELD = 1e10;
-
-/* Second derivatives of one interval by its unknowns. */
-struct block {
-  size_t n;
-  double a[PH_ARC_LOCAL][PH_ARC_LOCAL];
-};
-
-/* Multipliers of the rows as they are, not as whitened. */
-static void plain_multipliers(const struct ph_arc_system *s, size_t i,
-                              const double *y, double *out) {
-  size_t n = s->forms_n;
-  for (size_t k = 0; k < n; k++) {
-    out[k] = s->white ? 0 : y[i * n + k];
-    for (size_t l = 0; s->white && l < n; l++) {
-      out[k] += s->white[i * n * n + l * n + k] * y[i * n + l];
-    }
-  }
-}
-
-/* sum_k y_k S_k of an interval; y NULL: 0. */
-static void lambda_of(const struct ph_arc_system *s, size_t i, const double *y,
-                      double lambda[16]) {
-  double plain[4];
-  memset(lambda, 0, 16 * sizeof *lambda);
-  if (y) {
-    plain_multipliers(s, i, y, plain);
-    ph_arc_form_sum(s->dim, s->forms_n, s->form, plain, lambda);
-  }
-}
-
-/* Second derivatives by nodes a and b of interval i:
- * 2 G_ab lambda + 2 functional sum_q e_qa e_qb. */
-static inline void node_square(const struct ph_arc_system *s, size_t i,
-                               size_t a, size_t b, double functional,
-                               const double *lambda, size_t dim,
-                               double *square) {
-  const double *second = s->second + 3 * i * s->refine;
-  double f = 0, g = 2 * s->gram[(i * s->span + a) * s->span + b];
-  for (size_t q = 0; q < s->refine; q++) {
-    bool has = q <= a && a <= q + 2 && q <= b && b <= q + 2;
-    f += has ? second[3 * q + a - q] * second[3 * q + b - q] : 0;
-  }
-  for (size_t d = 0; d < dim; d++) {
-    for (size_t e = 0; e < dim; e++) {
-      square[d * dim + e] = g * lambda[d * dim + e];
-    }
-    square[d * dim + d] += 2 * functional * f;
-  }
-}
-
-static void set_nodes(const struct ph_arc_system *s, size_t i, const double *y,
-                      double functional, struct block *h) {
-  size_t span = s->span, dim = s->dim;
-  double lambda[16], square[16];
-  lambda_of(s, i, y, lambda);
-  memset(h->a, 0, sizeof h->a);
-  for (size_t a = 0; a < span; a++) {
-    for (size_t b = a > 2 ? a - 2 : 0; b < span && b <= a + 2; b++) {
-      node_square(s, i, a, b, functional, lambda, dim, square);
-      for (size_t k = 0; k < dim * dim; k++) {
-        h->a[a * dim + k / dim][b * dim + k % dim] = square[k];
-      }
-    }
-  }
-}
-
-/* The gradient of the Lagrangian of an interval by its nodes. */
-static void node_gradient(const struct ph_arc_system *s,
-                          const struct ph_arc_piece *p, const struct block *h,
-                          double *out) {
-  size_t n = s->span * s->dim; /* all is quadratic in the nodes */
-  for (size_t a = 0; a < n; a++) {
-    out[a] = ph_arc_dot(n, h->a[a], p->w);
-  }
-}
-
-/* Second derivatives by unknowns: w_M+j = e^(i chi) w_j enters twice. */
-static void unwrap(const struct ph_arc_system *s, const struct ph_arc_piece *p,
-                   struct block *h) {
-  size_t nodes = s->span * s->dim;
-  double gradient[4 * PH_ARC_SPAN];
-  node_gradient(s, p, h, gradient);
-  for (size_t a = 0; a < nodes; a++) {
-    ph_arc_piece_back(s, p, h->a[a]);
-  }
-  for (size_t b = 0; b < h->n; b++) {
-    double column[PH_ARC_LOCAL];
-    for (size_t a = 0; a < nodes; a++) {
-      column[a] = h->a[a][b];
-    }
-    ph_arc_piece_back(s, p, column);
-    for (size_t a = 0; a < h->n; a++) {
-      h->a[a][b] = column[a];
-    }
-  }
-  for (size_t a = p->inside; s->turn && a < s->span; a++) {
-    double ig[4];
-    h->a[nodes][nodes] -= ph_arc_dot(4, gradient + 4 * a, p->w + 4 * a);
-    ph_arc_turned(gradient + 4 * a, ig);
-    ph_arc_phase(p->cosine, -p->sine, ig, ig);
-    for (size_t k = 0; k < 4; k++) {
-      h->a[4 * a + k][nodes] -= ig[k];
-      h->a[nodes][4 * a + k] -= ig[k];
-    }
-  }
-}
-
-/* The same of an interval beyond the seam. */
-static void set_wrapped(const struct ph_arc_system *s, size_t i,
-                        const double *x, const double *y, double functional,
-                        struct block *h) {
-  struct ph_arc_piece p;
-  h->n = ph_arc_touched(s, i);
-  ph_arc_piece_of(s, x, i, &p);
-  set_nodes(s, i, y, functional, h);
-  unwrap(s, &p, h);
-}
-
-/* Whether unknowns a and b of an interval have second derivatives: nodes that
- * are in one segment, and all with chi. */
-static bool meet(const struct ph_arc_system *s, size_t a, size_t b) {
-  size_t i = a / s->dim, j = b / s->dim;
-  return i == s->span || j == s->span || (i <= j + 2 && j <= i + 2);
-}
 
 /* ---- the pin ------------------------------------------------------------- */
 
@@ -175,14 +52,31 @@ static size_t pins(const struct ph_arc_system *s, const double *x, size_t *node,
   return 2;
 }
 
-/* ---- assembly ------------------------------------------------------------ */
+/* ---- elements ------------------------------------------------------------ */
 
 /* A matrix under assembly: its band and where unknowns are in it. */
 struct target {
   double *a;
   size_t band;
   const uint32_t *place;
-  bool symmetric; /* only the lower triangle */
+  bool symmetric;   /* only the lower triangle */
+  size_t rows, row; /* how many there are, and elements of one in memory */
+};
+
+/* All that goes into one. */
+struct assembly {
+  const struct ph_arc_system *s;
+  const double *x, *y; /* y NULL: nothing of the rows */
+  const struct ph_arc_linear *linear;
+  const struct ph_arc_weights *weights;
+  double rho; /* of penalised matrices */
+  size_t pins, pinned;
+  double pin[2][4]; /* [pins] directions in which that node is held */
+  struct target t;
+  uint32_t *pivot; /* of the factors of one that is not symmetric */
+  size_t factored; /* rows that are, or columns */
+  size_t end;      /* see ph_band_reduce */
+  bool regular;    /* so far */
 };
 
 static inline void add(const struct target *t, uint32_t i, uint32_t j,
@@ -216,19 +110,6 @@ static inline void add_square(const struct target *t, uint32_t i, uint32_t j,
   }
 }
 
-static void add_pins(const struct ph_arc_system *s, const double *x, double pin,
-                     const struct target *t) {
-  double v[2][4], square[16];
-  size_t node = 0, n = pins(s, x, &node, v);
-  uint32_t place = t->place[4 * node];
-  for (size_t i = 0; i < n; i++) {
-    for (size_t a = 0; a < 16; a++) {
-      square[a] = pin * v[i][a / 4] * v[i][a % 4];
-    }
-    add_square(t, place, place, 4, square);
-  }
-}
-
 /* Second derivatives of the rows of a knot: 2 (mu, nu)(mu, nu)^T (x) sum y S.
  */
 static void add_knot(const struct ph_arc_system *s, size_t j, const double *y,
@@ -255,12 +136,12 @@ static void add_wrapped(const struct ph_arc_system *s, size_t i,
                         const double *x, const double *y, double functional,
                         const struct target *t) {
   size_t index[PH_ARC_LOCAL];
-  struct block h;
+  struct ph_arc_second h;
   ph_arc_index(s, i, index);
-  set_wrapped(s, i, x, y, functional, &h);
+  ph_arc_second_wrapped(s, i, x, y, functional, &h);
   for (size_t a = 0; a < h.n; a++) {
     for (size_t b = 0; b < h.n; b++) {
-      if (meet(s, a, b)) {
+      if (ph_arc_second_meet(s, a, b)) {
         add(t, t->place[index[a]], t->place[index[b]], h.a[a][b]);
       }
     }
@@ -272,14 +153,14 @@ static inline void add_interval(const struct ph_arc_system *s, size_t i,
                                 const struct target *t) {
   const uint32_t *place = t->place + i * s->refine * dim;
   double lambda[16];
-  lambda_of(s, i, y, lambda);
+  ph_arc_second_lambda(s, i, y, lambda);
   for (size_t a = 0; a < s->span; a++) {
     for (size_t b = a > 2 ? a - 2 : 0; b < s->span && b <= a + 2; b++) {
       double square[16];
       if (t->symmetric && place[a * dim] < place[b * dim]) {
         continue;
       }
-      node_square(s, i, a, b, functional, lambda, dim, square);
+      ph_arc_second_nodes(s, i, a, b, functional, lambda, dim, square);
       add_square(t, place[a * dim], place[b * dim], dim, square);
     }
   }
@@ -303,88 +184,127 @@ static void add_link(const struct ph_arc_system *s, const double *x, size_t j,
   add_square(t, here, next, s->dim, cross);
 }
 
-/* Shifts of the changes of nodes; chi, a phase as well, has those of the first.
- */
-static void add_shifts(const struct ph_arc_system *s, const double *x,
-                       const struct ph_arc_weights *weights,
-                       const struct target *t) {
-  for (size_t j = 0; j < s->nodes; j++) {
-    double shift = shift_of(weights, j), square[16];
-    double next = j + 1 < s->nodes ? shift_of(weights, j + 1) : 0;
-    uint32_t place = t->place[j * s->dim];
-    if (shift > 0) {
-      ph_arc_change_square(s, x + j * s->dim, shift, square);
-      add_square(t, place, place, s->dim, square);
-    }
-    if (s->phases && j + 1 < s->nodes && shift + next > 0) {
-      add_link(s, x, j, (shift + next) / 2, t);
-    }
-    for (size_t k = 0; weights->holds && k < s->dim; k++) {
-      add(t, place + (uint32_t)k, place + (uint32_t)k, weights->holds[j]);
-    }
+/* ---- parts of a matrix --------------------------------------------------- */
+
+/* Each part is added for intervals from one on to before another, for their
+ * nodes and first knots; with the last also for what follows it.  None touches
+ * nodes of more than two further intervals but beyond a seam. */
+
+static size_t nodes_end(const struct ph_arc_system *s, size_t to) {
+  return to < s->data->n ? to * s->refine : s->nodes;
+}
+
+/* The first row of the nodes and rows of intervals from one on; those of a
+ * closed curve alternate between both sides of its seam, and are known at its
+ * end. */
+static size_t row_of(const struct assembly *m, size_t i) {
+  const struct ph_arc_system *s = m->s;
+  if (i >= s->data->n) {
+    return m->t.rows;
   }
-  if (s->turn) {
-    uint32_t place = t->place[s->x_n - 1];
-    add(t, place, place,
-        shift_of(weights, 0) + (weights->holds ? weights->holds[0] : 0));
+  return s->data->closed ? 0 : m->t.place[i * s->refine * s->dim];
+}
+
+static size_t knots_end(const struct ph_arc_system *s, size_t to) {
+  return to < s->data->n ? to : s->data->n + 1;
+}
+
+/* Clears rows, before anything is added to them. */
+static void clear(struct assembly *m, size_t from, size_t to) {
+  bool all = m->s->data->closed;
+  size_t low = all && from > 0 ? m->t.rows : row_of(m, from);
+  size_t n = (all ? m->t.rows : row_of(m, to)) - low;
+  memset(m->t.a + low * m->t.row, 0, n * m->t.row * sizeof(double));
+}
+
+/* The Hessian of the functional and the rows of intervals. */
+static void intervals(struct assembly *m, size_t from, size_t to) {
+  const struct ph_arc_system *s = m->s;
+  double f = m->weights->functional;
+  for (size_t i = from; i < to; i++) {
+    if (ph_arc_wraps(s, i)) {
+      add_wrapped(s, i, m->x, m->y, f, &m->t);
+    } else if (s->dim == 4) { /* a constant for the compiler */
+      add_interval(s, i, m->y, f, 4, &m->t);
+    } else {
+      add_interval(s, i, m->y, f, s->dim, &m->t);
+    }
   }
 }
 
-/* Holds the ends of a part but for a common phase of each. */
-static void add_ends(const struct ph_arc_system *s, const double *x,
-                     const struct target *t) {
-  for (size_t k = 0; k < 4; k++) {
-    size_t j = k < 2 ? k : s->nodes - 4 + k;
-    uint32_t place = t->place[j * s->dim];
-    double square[16];
-    if (!s->held[k / 2]) {
-      continue;
-    }
-    ph_arc_change_square(s, x + j * s->dim, HELD, square);
-    add_square(t, place, place, s->dim, square);
-    if (s->phases && k % 2 == 0) {
-      add_link(s, x, j, HELD, t);
-    }
+/* That of the rows of knots. */
+static void knots(struct assembly *m, size_t from, size_t to) {
+  const struct ph_arc_system *s = m->s;
+  bool bent = m->y && s->knot_rows > 0 && !s->direction;
+  for (size_t j = from; bent && j < knots_end(s, to); j++) {
+    add_knot(s, j, m->y, &m->t);
   }
 }
 
 /* What ph_arc_retract adds to the second derivatives of the Lagrangian. */
-static void add_retraction(const struct ph_arc_system *s, const double *x,
-                           const struct ph_arc_linear *linear,
-                           const struct target *t) {
-  for (size_t j = 0; s->phases && j < s->nodes; j++) {
-    uint32_t place = t->place[4 * j];
+static void retraction(struct assembly *m, size_t from, size_t to) {
+  const struct ph_arc_system *s = m->s;
+  bool turned = m->weights->retracted && s->phases;
+  for (size_t j = from * s->refine; turned && j < nodes_end(s, to); j++) {
+    uint32_t place = m->t.place[4 * j];
     double square[16];
-    ph_arc_retract_square(x + 4 * j, linear->l_x + 4 * j, square);
-    add_square(t, place, place, 4, square);
+    ph_arc_retract_square(m->x + 4 * j, m->linear->l_x + 4 * j, square);
+    add_square(&m->t, place, place, 4, square);
   }
 }
 
-/* The Hessian of the functional and the rows of intervals, of knots, and shift.
- * This and what follows is not complete when time is over. */
-static void add_hessian(const struct ph_arc_system *s, const double *x,
-                        const double *y, const struct ph_arc_linear *linear,
-                        const struct ph_arc_weights *weights,
-                        const struct target *t) {
-  size_t n = s->data->n, dim = s->dim;
-  bool knots = y && s->knot_rows > 0 && !s->direction;
-  double f = weights->functional;
-  for (size_t i = 0; i < n && !ph_arena_late(s->arena); i++) {
-    if (ph_arc_wraps(s, i)) {
-      add_wrapped(s, i, x, y, f, t);
-    } else if (dim == 4) { /* a constant for the compiler */
-      add_interval(s, i, y, f, 4, t);
-    } else {
-      add_interval(s, i, y, f, dim, t);
+/* Shifts of the changes of nodes; chi, a phase as well, has those of the first.
+ */
+static void shifts(struct assembly *m, size_t from, size_t to) {
+  const struct ph_arc_system *s = m->s;
+  const struct ph_arc_weights *weights = m->weights;
+  for (size_t j = from * s->refine; j < nodes_end(s, to); j++) {
+    double shift = shift_of(weights, j), square[16];
+    double next = j + 1 < s->nodes ? shift_of(weights, j + 1) : 0;
+    uint32_t place = m->t.place[j * s->dim];
+    if (shift > 0) {
+      ph_arc_change_square(s, m->x + j * s->dim, shift, square);
+      add_square(&m->t, place, place, s->dim, square);
+    }
+    if (s->phases && j + 1 < s->nodes && shift + next > 0) {
+      add_link(s, m->x, j, (shift + next) / 2, &m->t);
+    }
+    for (size_t k = 0; weights->holds && k < s->dim; k++) {
+      add(&m->t, place + (uint32_t)k, place + (uint32_t)k, weights->holds[j]);
     }
   }
-  for (size_t j = 0; knots && j <= n; j++) {
-    add_knot(s, j, y, t);
+  if (s->turn && from == 0) {
+    uint32_t place = m->t.place[s->x_n - 1];
+    add(&m->t, place, place,
+        shift_of(weights, 0) + (weights->holds ? weights->holds[0] : 0));
   }
-  if (weights->retracted) {
-    add_retraction(s, x, linear, t);
+}
+
+/* Holds the pinned node, and the ends of a part but for a common phase of each.
+ */
+static void holds(struct assembly *m, size_t from, size_t to) {
+  const struct ph_arc_system *s = m->s;
+  size_t low = from * s->refine, high = nodes_end(s, to);
+  double square[16];
+  for (size_t i = 0; i < m->pins && low <= m->pinned && m->pinned < high; i++) {
+    uint32_t place = m->t.place[4 * m->pinned];
+    for (size_t a = 0; a < 16; a++) {
+      square[a] = m->weights->pin * m->pin[i][a / 4] * m->pin[i][a % 4];
+    }
+    add_square(&m->t, place, place, 4, square);
   }
-  add_shifts(s, x, weights, t);
+  for (size_t k = 0; k < 4; k++) {
+    size_t j = k < 2 ? k : s->nodes - 4 + k;
+    uint32_t place = m->t.place[j * s->dim];
+    if (!s->held[k / 2] || j < low || j >= high) {
+      continue;
+    }
+    ph_arc_change_square(s, m->x + j * s->dim, HELD, square);
+    add_square(&m->t, place, place, s->dim, square);
+    if (s->phases && k % 2 == 0) {
+      add_link(s, m->x, j, HELD, &m->t);
+    }
+  }
 }
 
 /* A row of the equations and its column, over n nodes. */
@@ -417,15 +337,16 @@ static const uint32_t *node_places(const struct ph_arc_system *s, size_t i,
   return places;
 }
 
-static void add_rows(const struct ph_arc_system *s,
-                     const struct ph_arc_linear *linear,
-                     const struct target *t) {
-  size_t n = s->data->n, local = ph_arc_local(s), dim = s->dim;
-  for (size_t i = 0; s->forms_n > 0 && i < n && !ph_arena_late(s->arena); i++) {
+/* The rows themselves, and their columns. */
+static void rows(struct assembly *m, size_t from, size_t to) {
+  const struct ph_arc_system *s = m->s;
+  const struct target *t = &m->t;
+  size_t local = ph_arc_local(s), dim = s->dim, knot = s->knot_rows;
+  for (size_t i = from; s->forms_n > 0 && i < to; i++) {
     uint32_t places[PH_ARC_LOCAL];
     const uint32_t *place = node_places(s, i, t, places);
     for (size_t k = 0; k < s->forms_n; k++) {
-      const double *row = linear->rows + (i * s->forms_n + k) * local;
+      const double *row = m->linear->rows + (i * s->forms_n + k) * local;
       uint32_t at = s->place_y[i * s->forms_n + k];
       add_row(s, t, at, place, s->span, row);
       if (ph_arc_touched(s, i) > s->span * dim) {
@@ -438,13 +359,13 @@ static void add_rows(const struct ph_arc_system *s,
       add(t, at, at, -s->compliance[i]);
     }
   }
-  for (size_t r = 0; r < (n + 1) * s->knot_rows; r++) {
-    uint32_t at = s->place_y[n * s->forms_n + r];
+  for (size_t r = from * knot; r < knots_end(s, to) * knot; r++) {
+    uint32_t at = s->place_y[s->data->n * s->forms_n + r];
     if (s->knot_compliance) {
-      add(t, at, at, -s->knot_compliance[r / s->knot_rows]);
+      add(t, at, at, -s->knot_compliance[r / knot]);
     }
-    add_row(s, t, at, t->place + r / s->knot_rows * s->refine * dim, 2,
-            linear->knot_rows + r * 2 * dim);
+    add_row(s, t, at, t->place + r / knot * s->refine * dim, 2,
+            m->linear->knot_rows + r * 2 * dim);
   }
 }
 
@@ -489,65 +410,181 @@ static void add_chi_products(const struct ph_arc_system *s,
   }
 }
 
-static void add_penalty(const struct ph_arc_system *s,
-                        const struct ph_arc_linear *linear, double rho,
-                        const struct target *t) {
-  size_t n = s->data->n, local = ph_arc_local(s), dim = s->dim;
-  double weight[4] = {rho, rho, rho, rho};
-  for (size_t i = 0; s->forms_n > 0 && i < n && !ph_arena_late(s->arena); i++) {
+/* The squares of the rows of intervals, and of knots. */
+static void interval_squares(struct assembly *m, size_t from, size_t to) {
+  const struct ph_arc_system *s = m->s;
+  size_t local = ph_arc_local(s), dim = s->dim;
+  double weight[4] = {m->rho, m->rho, m->rho, m->rho};
+  for (size_t i = from; s->forms_n > 0 && i < to; i++) {
     uint32_t places[PH_ARC_LOCAL];
-    const uint32_t *place = node_places(s, i, t, places);
-    const double *row = linear->rows + i * s->forms_n * local;
+    const uint32_t *place = node_places(s, i, &m->t, places);
+    const double *row = m->linear->rows + i * s->forms_n * local;
     if (s->compliance) {
-      weight[0] = 1 / (s->compliance[i] + 1 / rho);
+      weight[0] = 1 / (s->compliance[i] + 1 / m->rho);
     }
     if (dim == 4) { /* a constant for the compiler */
-      add_products(t, place, s->span, 4, s->forms_n, row, local, weight);
+      add_products(&m->t, place, s->span, 4, s->forms_n, row, local, weight);
     } else {
-      add_products(t, place, s->span, dim, s->forms_n, row, local, weight);
+      add_products(&m->t, place, s->span, dim, s->forms_n, row, local, weight);
     }
     if (ph_arc_touched(s, i) > s->span * dim) {
-      add_chi_products(s, t, place, row, weight);
+      add_chi_products(s, &m->t, place, row, weight);
     }
   }
-  weight[0] = rho;
-  for (size_t j = 0; s->knot_rows > 0 && j <= n; j++) {
-    for (size_t k = 0; s->knot_compliance && k < s->knot_rows; k++) {
-      weight[k] = 1 / (s->knot_compliance[j] + 1 / rho);
+}
+
+static void knot_squares(struct assembly *m, size_t from, size_t to) {
+  const struct ph_arc_system *s = m->s;
+  size_t dim = s->dim, n = s->knot_rows;
+  double weight[4] = {m->rho, m->rho, m->rho, m->rho};
+  for (size_t j = from; n > 0 && j < knots_end(s, to); j++) {
+    for (size_t k = 0; s->knot_compliance && k < n; k++) {
+      weight[k] = 1 / (s->knot_compliance[j] + 1 / m->rho);
     }
-    add_products(t, t->place + j * s->refine * dim, 2, dim, s->knot_rows,
-                 linear->knot_rows + j * s->knot_rows * 2 * dim, 2 * dim,
-                 weight);
+    add_products(&m->t, m->t.place + j * s->refine * dim, 2, dim, n,
+                 m->linear->knot_rows + j * n * 2 * dim, 2 * dim, weight);
   }
+}
+
+/* Factors what has all its elements: the rows, or columns, that are further
+ * from those to come than the band. */
+static void factor(struct assembly *m, size_t from, size_t to) {
+  size_t high = row_of(m, to), low = m->factored, k = m->t.band;
+  if (high < m->t.rows) {
+    high = high > k ? high - k : 0;
+  }
+  if (m->regular && from < to && low < high) {
+    double *at = m->t.a + low * m->t.row;
+    m->regular = m->t.symmetric
+                     ? ph_sym_reduce(at, m->t.rows - low, k, high - low)
+                     : ph_band_reduce(m->t.a, m->pivot, m->t.rows, k, low, high,
+                                      &m->end);
+    m->factored = high;
+  }
+}
+
+/* ---- assembly ------------------------------------------------------------ */
+
+typedef void part(struct assembly *m, size_t from, size_t to);
+
+/* Intervals at a time: what is beside them in the matrix stays in the cache
+ * from one part to the next. */
+enum { STRETCH = 16, BEHIND = 2 };
+
+/* Adds parts, each some intervals behind the one before, so that elements are
+ * the same sums as of one part after the other.  Not complete when time is
+ * over.
+ */
+static void assemble(struct assembly *m, part *const *parts, size_t n) {
+  size_t end = m->s->data->n, last = end + (n - 1) * BEHIND;
+  for (size_t at = 0; at < last && !ph_arena_late(m->s->arena); at += STRETCH) {
+    for (size_t k = 0; k < n; k++) {
+      size_t behind = k * BEHIND, to = at + STRETCH;
+      size_t from = at > behind ? at - behind : 0;
+      to = to > behind ? to - behind : 0;
+      to = to < end ? to : end;
+      if (from < to) {
+        parts[k](m, from, to);
+      }
+    }
+  }
+}
+
+/* All that matrices have in common, and what a node is held by. */
+static struct assembly assembly_of(const struct ph_arc_system *s,
+                                   const double *x, const double *y,
+                                   const struct ph_arc_linear *linear,
+                                   const struct ph_arc_weights *weights) {
+  struct assembly m = {.s = s,
+                       .x = x,
+                       .y = y,
+                       .linear = linear,
+                       .weights = weights,
+                       .regular = true};
+  m.pins = pins(s, x, &m.pinned, m.pin);
+  return m;
+}
+
+/* ret whether it is complete and, if it is to be factored, regular */
+static bool set_kkt(struct assembly *m, double *matrix, uint32_t *pivot) {
+  static part *const parts[] = {clear,  intervals, knots, retraction,
+                                shifts, holds,     rows,  factor};
+  const struct ph_arc_system *s = m->s;
+  size_t n = sizeof parts / sizeof *parts;
+  m->t = (struct target){.a = matrix,
+                         .band = s->kkt_band,
+                         .place = s->place_x,
+                         .rows = s->kkt_n,
+                         .row = ph_band_size(1, s->kkt_band)};
+  m->pivot = pivot;
+  assemble(m, parts, pivot ? n : n - 1);
+  return m->regular && !ph_arena_late(s->arena);
 }
 
 void ph_arc_kkt(const struct ph_arc_system *s, const double *x, const double *y,
                 const struct ph_arc_linear *linear,
                 const struct ph_arc_weights *weights, double *matrix) {
-  struct target t = {matrix, s->kkt_band, s->place_x, false};
-  memset(matrix, 0, ph_band_size(s->kkt_n, s->kkt_band) * sizeof *matrix);
-  add_hessian(s, x, y, linear, weights, &t);
-  add_pins(s, x, weights->pin, &t);
-  add_ends(s, x, &t);
-  add_rows(s, linear, &t);
+  struct assembly m = assembly_of(s, x, y, linear, weights);
+  set_kkt(&m, matrix, NULL);
+}
+
+bool ph_arc_kkt_factor(const struct ph_arc_system *s, const double *x,
+                       const double *y, const struct ph_arc_linear *linear,
+                       const struct ph_arc_weights *weights, double *matrix,
+                       uint32_t *pivot) {
+  struct assembly m = assembly_of(s, x, y, linear, weights);
+  return set_kkt(&m, matrix, pivot);
+}
+
+/* Raises the diagonal by so many times its largest element. */
+static void raise(const struct assembly *m, double by) {
+  double most = 0;
+  for (size_t k = 0; k < m->t.rows; k++) {
+    double size = *ph_sym_at(m->t.a, m->t.band, k, k);
+    most = size > most ? size : most;
+  }
+  for (size_t k = 0; most > 0 && k < m->t.rows; k++) {
+    *ph_sym_at(m->t.a, m->t.band, k, k) += by * most;
+  }
+}
+
+/* The same of a penalised one. */
+static bool set_penalised(struct assembly *m, double rho, double *matrix,
+                          bool factored) {
+  static part *const parts[] = {
+      clear, intervals,        knots,        retraction, shifts,
+      holds, interval_squares, knot_squares, factor};
+  const struct ph_arc_system *s = m->s;
+  double rounding = m->weights->rounding;
+  size_t n = sizeof parts / sizeof *parts, hessian = rounding > 0 ? 5 : 0;
+  m->rho = rho;
+  m->t = (struct target){.a = matrix,
+                         .band = s->order_band,
+                         .place = s->order,
+                         .symmetric = true,
+                         .rows = s->x_n,
+                         .row = ph_sym_size(1, s->order_band)};
+  if (hessian > 0) { /* the diagonal of all of it is needed first */
+    assemble(m, parts, hessian);
+    raise(m, rounding);
+  }
+  assemble(m, parts + hessian, factored ? n - hessian : n - hessian - 1);
+  return m->regular && !ph_arena_late(s->arena);
 }
 
 void ph_arc_penalised(const struct ph_arc_system *s, const double *x,
                       const double *y, const struct ph_arc_linear *linear,
                       const struct ph_arc_weights *weights, double rho,
                       double *matrix) {
-  struct target t = {matrix, s->order_band, s->order, true};
-  double most = 0;
-  memset(matrix, 0, ph_sym_size(s->x_n, s->order_band) * sizeof *matrix);
-  add_hessian(s, x, y, linear, weights, &t);
-  for (size_t k = 0; weights->rounding > 0 && k < s->x_n; k++) {
-    double size = *ph_sym_at(matrix, s->order_band, k, k);
-    most = size > most ? size : most;
-  }
-  for (size_t k = 0; most > 0 && k < s->x_n; k++) {
-    *ph_sym_at(matrix, s->order_band, k, k) += weights->rounding * most;
-  }
-  add_pins(s, x, weights->pin, &t);
-  add_ends(s, x, &t);
-  add_penalty(s, linear, rho, &t);
+  struct assembly m = assembly_of(s, x, y, linear, weights);
+  set_penalised(&m, rho, matrix, false);
+}
+
+bool ph_arc_penalised_factor(const struct ph_arc_system *s, const double *x,
+                             const double *y,
+                             const struct ph_arc_linear *linear,
+                             const struct ph_arc_weights *weights, double rho,
+                             double *matrix) {
+  struct assembly m = assembly_of(s, x, y, linear, weights);
+  return set_penalised(&m, rho, matrix, true);
 }

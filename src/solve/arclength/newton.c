@@ -198,9 +198,8 @@ static bool find_step(struct state *t) {
     if (t->near || t->convex ||
         (w->blocks.n > 0 ? make_convex(t) : is_convex(t, 0))) {
       struct ph_arc_weights weights = weights_of(t, 0);
-      ph_arc_kkt(s, p->x, p->y, &w->linear, &weights, w->kkt);
-      if (!ph_arena_late(w->arena) &&
-          ph_band_factor(w->kkt, w->pivot, s->kkt_n, s->kkt_band)) {
+      if (ph_arc_kkt_factor(s, p->x, p->y, &w->linear, &weights, w->kkt,
+                            w->pivot)) {
         for (size_t k = 0; k < s->x_n; k++) {
           w->step[s->place_x[k]] = -w->gradient[k];
         }

@@ -2,7 +2,6 @@
 /* Proofs that a stationary point is a minimum (see newton.h). */
 #include "solve/arclength/newton.h"
 
-#include "kernel/band.h"
 #include "solve/arclength/system.h"
 
 /* Weights of J^T J that prove a minimum: of 10,000 directions that are noisy
@@ -19,9 +18,8 @@ static const double ROUNDING = 2048 * 2.2204460492503131e-16;
 bool ph_arc_is_positive(const struct ph_arc_system *s, struct ph_arc_newton *w,
                         const double *x, const double *y, double rho,
                         const struct ph_arc_weights *weights) {
-  ph_arc_penalised(s, x, y, &w->linear, weights, rho, w->penalised);
-  return !ph_arena_late(w->arena) &&
-         ph_sym_factor(w->penalised, s->x_n, s->order_band);
+  return ph_arc_penalised_factor(s, x, y, &w->linear, weights, rho,
+                                 w->penalised);
 }
 
 /* Whether the Hessian is positive definite with this weight of J^T J, and a

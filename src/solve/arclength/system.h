@@ -484,6 +484,13 @@ void ph_arc_kkt(const struct ph_arc_system *system, const double *x,
                 const double *y, const struct ph_arc_linear *linear,
                 const struct ph_arc_weights *weights, double *matrix);
 
+/* ph_arc_kkt_factor: its factors, of ph_band_factor, while it is in the cache.
+ * ret false when it is singular or time is over */
+bool ph_arc_kkt_factor(const struct ph_arc_system *system, const double *x,
+                       const double *y, const struct ph_arc_linear *linear,
+                       const struct ph_arc_weights *weights, double *matrix,
+                       uint32_t *pivot);
+
 /*
  * ph_arc_penalised: A + sum_k row_k row_k^T / (compliance_k + 1 / rho), in the
  * order of `order`.
@@ -495,6 +502,14 @@ void ph_arc_penalised(const struct ph_arc_system *system, const double *x,
                       const double *y, const struct ph_arc_linear *linear,
                       const struct ph_arc_weights *weights, double rho,
                       double *matrix);
+
+/* ph_arc_penalised_factor: its factor, of ph_sym_factor.
+ * ret false when it is not positive definite or time is over */
+bool ph_arc_penalised_factor(const struct ph_arc_system *system,
+                             const double *x, const double *y,
+                             const struct ph_arc_linear *linear,
+                             const struct ph_arc_weights *weights, double rho,
+                             double *matrix);
 
 /*
  * ph_arc_retract: x + step (dx), where the part of dx that turns the phase of a

@@ -240,6 +240,31 @@ PH_TEST(permutation) {
   }
 }
 
+/* Columns that are reduced a few at a time, as their rows come to be known,
+ * have the factors of all at once. */
+PH_TEST(lu_in_parts) {
+  const struct family family = {.zeros = 0.1};
+  struct unit_random r = unit_random_of(17);
+  static double whole[N_MAX * (3 * K_MAX + 1)];
+  static uint32_t exchanged[N_MAX];
+  for (size_t trial = 0; trial < 200; trial++) {
+    size_t n, k, end = 0;
+    shape(&r, &n, &k);
+    make(&r, &family, n, k);
+    pack(k);
+    memcpy(whole, band, ph_band_size(n, k) * sizeof *band);
+    if (!ph_band_factor(whole, exchanged, n, k)) {
+      continue;
+    }
+    for (size_t from = 0, to; from < n; from = to) {
+      to = from + 1 + unit_random_below(&r, n - from);
+      ck_assert(ph_band_reduce(band, pivot, n, k, from, to, &end));
+    }
+    ck_assert_mem_eq(band, whole, ph_band_size(n, k) * sizeof *band);
+    ck_assert_mem_eq(pivot, exchanged, n * sizeof *pivot);
+  }
+}
+
 /* Without exchanges, nothing is written where the fill would be. */
 PH_TEST(no_fill) {
   const struct family family = {.diagonal = 50};

@@ -11,7 +11,8 @@
 #include "solve/arclength/system.h"
 #include "solve/arclength/arclength.h"
 
-enum { N = 5, X_MAX = 4 * (3 * N + 2) + 1, Y_MAX = 4 * N + 3 * (N + 1) };
+/* Matrices are put together by stretches of 16 intervals. */
+enum { N = 40, X_MAX = 4 * (3 * N + 2) + 1, Y_MAX = 4 * N + 3 * (N + 1) };
 
 /* One kind of system. */
 struct sort {
@@ -334,6 +335,48 @@ PH_TEST_EACH(test_penalised_matrix, SORTS) {
     want += rho * jv[row] * jv[row];
   }
   ck_rel(got, want, 1e-12);
+}
+
+/* A matrix whose memory has no meaning before. */
+static double *no_matrix(size_t size) {
+  double *matrix = ph_arena_array(&unit_arena, size, sizeof *matrix);
+  for (size_t i = 0; i < size; i++) {
+    matrix[i] = (double)NAN;
+  }
+  return matrix;
+}
+
+/* Factors that are taken by stretches are those of the whole matrix, as
+ * rounded. */
+PH_TEST_EACH(test_factors, SORTS) {
+  struct unit_random r = unit_random_of(1040 + (uint64_t)_i);
+  const struct ph_arc_weights weights = {1, .shift = 500, .pin = 3};
+  const double rho = 1e4;
+  struct setting t;
+  struct ph_arc_system *s = &t.system;
+  double *kkt[2], *sym[2];
+  uint32_t *pivot[2];
+  size_t kkt_size, sym_size;
+  set_up(&r, &sorts[_i], &t);
+  kkt_size = ph_band_size(s->kkt_n, s->kkt_band);
+  sym_size = ph_sym_size(s->x_n, s->order_band);
+  for (size_t k = 0; k < 2; k++) {
+    kkt[k] = no_matrix(kkt_size);
+    sym[k] = no_matrix(sym_size);
+    pivot[k] = ph_arena_array(&unit_arena, s->kkt_n, sizeof *pivot[k]);
+  }
+  ph_arc_linearise(s, t.x, t.y, &t.linear);
+  ph_arc_kkt(s, t.x, t.y, &t.linear, &weights, kkt[0]);
+  ck_assert(ph_band_factor(kkt[0], pivot[0], s->kkt_n, s->kkt_band));
+  ck_assert(
+      ph_arc_kkt_factor(s, t.x, t.y, &t.linear, &weights, kkt[1], pivot[1]));
+  ck_assert_mem_eq(kkt[1], kkt[0], kkt_size * sizeof **kkt);
+  ck_assert_mem_eq(pivot[1], pivot[0], s->kkt_n * sizeof *pivot[0]);
+  ph_arc_penalised(s, t.x, NULL, &t.linear, &weights, rho, sym[0]);
+  ck_assert(ph_sym_factor(sym[0], s->x_n, s->order_band));
+  ck_assert(
+      ph_arc_penalised_factor(s, t.x, NULL, &t.linear, &weights, rho, sym[1]));
+  ck_assert_mem_eq(sym[1], sym[0], sym_size * sizeof **sym);
 }
 
 /* ---- phases -------------------------------------------------------------- */
