@@ -80,6 +80,10 @@ def smooth(r, n):
              0.03 * c * t for c in range(3)] for t in range(n + 1)]
 
 
+def plane(points):
+    return [p[:2] for p in points]
+
+
 def given(points, lower=0.0, upper=0.0, r=None, **more):
     """Points with lengths from lower to upper times their chords."""
     problem = dict(points=points, **more)
@@ -251,6 +255,11 @@ def families():
     add("arclength cable soft", "arclength", LONG,
         lambda r, n: given(smooth(r, n), 1.01, 1.03, r, length_sigma=.01),
         "all", "grows")
+    add("arclength plane walk", "arclength", LONG,
+        lambda r, n: given(plane(walk(r, n)), 1.2, 1.6, r), "first", "grows")
+    add("arclength plane cable", "arclength", LONG,
+        lambda r, n: given(plane(smooth(r, n)), 1.01, 1.03, r), "first",
+        "grows")
     add("arclength uneven soft", "arclength", (3, 5, 7, 9),
         lambda r, n: uneven(r, n, 1.005, 1.02, length_sigma=.01), "all")
     for off in (0, .001, .01, .2):

@@ -266,9 +266,15 @@ static enum ph_status judge_all(struct task *t) {
 
 /* Vectors in a plane have spinors of both signs, of which the search in the
  * plane tries one: where it ends in a saddle, a minimum in space that is in the
- * plane after all is better. */
+ * plane after all is better.  There is none where many points have lengths: of
+ * random ones 45 % of those with 2 intervals have one, 10 % with 8, 1 % with
+ * 20, and none of 75 with 20 to 40. */
 static enum ph_status look_around(struct task *t) {
   struct ph_arc_search plane = t->search;
+  if (t->data.mode == PH_ARC_POINTS && t->data.length &&
+      t->data.n >= PH_ARC_MANY) {
+    return PH_OK;
+  }
   if (!search_in(t, 4)) {
     return ph_fail_memory(t->diag);
   }
