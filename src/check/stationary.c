@@ -4,7 +4,7 @@
 
 #include "base/sum.h"
 #include "check/error.h"
-#include "check/inertia.h"
+#include "kernel/inertia.h"
 #include "check/kkt.h"
 
 #include <float.h>

@@ -15,7 +15,7 @@
  *
  * Second order.  H is the Hessian of F + y . c, c the rows.  F has no direction
  * of descent within the rows if the matrix [H + delta, J^T; J, 0] has as many
- * negative eigenvalues as there are rows; they are counted by check/inertia.h.
+ * negative eigenvalues as there are rows; they are counted by kernel/inertia.h.
  * No penalty is involved, so that nearly dependent rows do no harm; delta is
  * what rounding can make of H: curvature of less than that has no sign, nor has
  * that about the axis of data in a line, which is 0.  The common phase of the

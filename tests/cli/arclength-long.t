@@ -149,6 +149,19 @@ get diagnostics.iterations | tr ' ' '\n' |
   holds 'ribbons, 3000: steps' 'x[1] < 8 && x[n] < 8'
 equal 'ribbons have two segments from datum to datum' '[0,1]' \
   "$(get 'intervals[0].segments' | tr ' ' '\n' | sort -u)"
+# Bends of a radian, straight between: the Hessian is nearly singular.
+awk 'BEGIN {
+  printf "{\"tangents\":["
+  for (i = 0; i < 2000; i++) {
+    k = int(i / 97)
+    printf "%s[%.17g,%.17g,%.17g]", i ? "," : "", cos(k), sin(k), sin(k * k)
+  }
+  print "],\"lengths\":1}"
+}' >bends.json
+run arclength --quiet bends.json
+equal 'ribbons, sharp bends: the first start is a minimum' '0 "init" "minimiser"' \
+  "$status $(get 'diagnostics.starts[@].start' <out) $(
+    get diagnostics.second_order <out)"
 for factor in 1.0001 1.001 1.01; do
   family "8 points, $factor of the chords" walk 7 "$factor" 0
   # Steps of any length are taken back onto the rows: where lengths are short

@@ -56,23 +56,6 @@ static bool need_rough(struct ph_arc_engine *e) {
          ph_arc_work_alloc(e->s, e->arena, &e->rough);
 }
 
-/* Whitened rows prove a minimum where the plain ones are too nearly dependent,
- * or their multipliers too large.  ret false: no memory */
-static bool judge_white(struct ph_arc_engine *e) {
-  struct ph_arc_point *p = &e->point;
-  if (!p->converged || p->minimiser) {
-    return true;
-  }
-  if (!need_rough(e)) {
-    return false;
-  }
-  if (e->white.white) {
-    ph_arc_whitened(&e->white, p->y, e->rough_y);
-    p->minimiser = ph_arc_is_minimum(&e->white, &e->work, p->x, e->rough_y);
-  }
-  return true;
-}
-
 /* Where the search creeps along a valley there may be a minimum at its end,
  * beyond what each single step may lose; another start, where there is one,
  * leads as a rule to a lower one. */
@@ -121,7 +104,7 @@ bool ph_arc_engine_iterate(struct ph_arc_engine *e, double rho, size_t steps) {
   }
   ph_arc_newton_solve(e->s, &e->work, steps, p);
   leave_valley(e);
-  return !e->work.starved && judge_white(e);
+  return !e->work.starved;
 }
 
 bool ph_arc_engine_is_smooth(const struct ph_arc_engine *e, const double *x) {
@@ -155,5 +138,5 @@ bool ph_arc_engine_go_on(struct ph_arc_engine *e, double rho) {
     ph_arc_blocks_begin(&e->work.blocks);
     ph_arc_newton_solve(e->s, &e->work, PH_ARC_STEPS_AFTER, p);
   }
-  return !e->work.starved && judge_white(e);
+  return !e->work.starved;
 }

@@ -3,6 +3,7 @@
 #include "solve/arclength/system.h"
 
 #include "kernel/band.h"
+#include "kernel/inertia.h"
 #include "solve/arclength/second.h"
 
 #include <math.h>
@@ -10,47 +11,6 @@
 
 /* Weight of what holds ends. */
 static const double HELD = 1e10;
-
-/* ---- the pin ------------------------------------------------------------- */
-
-/* What leaves all equations as they are: the common phase; of data on a line
- * also a turn about it, so that a and b have a phase each.  One node is held.
- */
-static size_t pins(const struct ph_arc_system *s, const double *x, size_t *node,
-                   double out[2][4]) {
-  bool two = s->data->line;
-  const double *w;
-  double iw[4], best = -1;
-  if (s->dim != 4) {
-    return 0;
-  }
-  *node = s->nodes / 2;
-  for (size_t j = 0; two && j < s->nodes; j++) {
-    const double *v = x + 4 * j;
-    double a = v[0] * v[0] + v[1] * v[1], b = v[2] * v[2] + v[3] * v[3];
-    double least = a < b ? a : b;
-    if (least > best) {
-      best = least;
-      *node = j;
-    }
-  }
-  w = x + 4 * *node;
-  ph_arc_turned(w, iw);
-  memset(out, 0, 8 * sizeof(double));
-  if (!two || !(best > 0)) {
-    double size = sqrt(ph_arc_dot(4, iw, iw));
-    for (size_t k = 0; k < 4; k++) {
-      out[0][k] = size > 0 ? iw[k] / size : k == 1;
-    }
-    return 1;
-  }
-  for (size_t half = 0; half < 2; half++) {
-    double size = hypot(iw[2 * half], iw[2 * half + 1]);
-    out[half][2 * half] = iw[2 * half] / size;
-    out[half][2 * half + 1] = iw[2 * half + 1] / size;
-  }
-  return 2;
-}
 
 /* ---- elements ------------------------------------------------------------ */
 
@@ -312,7 +272,12 @@ static inline void add_row(const struct ph_arc_system *s,
                            const struct target *t, uint32_t at,
                            const uint32_t *place, size_t n, const double *row) {
   size_t dim = s->dim;
-  for (size_t a = 0; a < n; a++) {
+  for (size_t a = 0; t->symmetric && a < n * dim; a++) {
+    uint32_t node = place[a / dim * dim] + (uint32_t)(a % dim);
+    add(t, at, node, row[a]);
+    add(t, node, at, row[a]);
+  }
+  for (size_t a = 0; !t->symmetric && a < n; a++) {
     double *across = ph_band_at(t->a, t->band, at, place[a * dim]);
     double *down = ph_band_at(t->a, t->band, place[a * dim], at);
     for (size_t d = 0; d < dim; d++) {
@@ -501,7 +466,7 @@ static struct assembly assembly_of(const struct ph_arc_system *s,
                        .linear = linear,
                        .weights = weights,
                        .regular = true};
-  m.pins = pins(s, x, &m.pinned, m.pin);
+  m.pins = ph_arc_pins(s, x, &m.pinned, m.pin);
   return m;
 }
 
@@ -536,16 +501,51 @@ bool ph_arc_kkt_factor(const struct ph_arc_system *s, const double *x,
   return set_kkt(&m, matrix, pivot);
 }
 
-/* Raises the diagonal by so many times its largest element. */
+/* Raises the diagonal of the Hessian by so many times its largest element, and
+ * lets rows yield. */
 static void raise(const struct assembly *m, double by) {
+  const struct ph_arc_system *s = m->s;
   double most = 0;
-  for (size_t k = 0; k < m->t.rows; k++) {
-    double size = *ph_sym_at(m->t.a, m->t.band, k, k);
+  for (size_t k = 0; k < s->x_n; k++) {
+    size_t at = m->t.place[k];
+    double size = *ph_sym_at(m->t.a, m->t.band, at, at);
     most = size > most ? size : most;
   }
-  for (size_t k = 0; most > 0 && k < m->t.rows; k++) {
-    *ph_sym_at(m->t.a, m->t.band, k, k) += by * most;
+  for (size_t k = 0; k < s->x_n; k++) {
+    size_t at = m->t.place[k];
+    *ph_sym_at(m->t.a, m->t.band, at, at) += by * most;
   }
+  for (size_t r = 0; m->t.rows > s->x_n && r < s->y_n; r++) {
+    size_t at = s->place_y[r];
+    *ph_sym_at(m->t.a, m->t.band, at, at) -= m->weights->yield;
+  }
+}
+
+/* Adds parts, of which the first `hessian' make the Hessian, raised. */
+static void assemble_raised(struct assembly *m, part *const *parts, size_t n,
+                            size_t hessian) {
+  assemble(m, parts, hessian);
+  raise(m, m->weights->rounding);
+  assemble(m, parts + hessian, n - hessian);
+}
+
+size_t ph_arc_kkt_negative(const struct ph_arc_system *s, const double *x,
+                           const double *y, const struct ph_arc_linear *linear,
+                           const struct ph_arc_weights *weights, double *matrix,
+                           double *work) {
+  static part *const parts[] = {clear,  intervals, knots, retraction,
+                                shifts, holds,     rows};
+  struct assembly m = assembly_of(s, x, y, linear, weights);
+  m.t = (struct target){.a = matrix,
+                        .band = s->kkt_band,
+                        .place = s->place_x,
+                        .symmetric = true,
+                        .rows = s->kkt_n,
+                        .row = ph_sym_size(1, s->kkt_band)};
+  assemble_raised(&m, parts, sizeof parts / sizeof *parts, 5);
+  return ph_arena_late(s->arena)
+             ? SIZE_MAX
+             : ph_inertia_negative(matrix, s->kkt_n, s->kkt_band, work);
 }
 
 /* The same of a penalised one. */
@@ -555,8 +555,7 @@ static bool set_penalised(struct assembly *m, double rho, double *matrix,
       clear, intervals,        knots,        retraction, shifts,
       holds, interval_squares, knot_squares, factor};
   const struct ph_arc_system *s = m->s;
-  double rounding = m->weights->rounding;
-  size_t n = sizeof parts / sizeof *parts, hessian = rounding > 0 ? 5 : 0;
+  size_t n = sizeof parts / sizeof *parts;
   m->rho = rho;
   m->t = (struct target){.a = matrix,
                          .band = s->order_band,
@@ -564,11 +563,12 @@ static bool set_penalised(struct assembly *m, double rho, double *matrix,
                          .symmetric = true,
                          .rows = s->x_n,
                          .row = ph_sym_size(1, s->order_band)};
-  if (hessian > 0) { /* the diagonal of all of it is needed first */
-    assemble(m, parts, hessian);
-    raise(m, rounding);
+  n = factored ? n : n - 1;
+  if (m->weights->rounding > 0) { /* all of the diagonal is needed first */
+    assemble_raised(m, parts, n, 5);
+  } else {
+    assemble(m, parts, n);
   }
-  assemble(m, parts + hessian, factored ? n - hessian : n - hessian - 1);
   return m->regular && !ph_arena_late(s->arena);
 }
 

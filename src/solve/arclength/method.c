@@ -364,10 +364,6 @@ static enum ph_status find_refined(struct task *t) {
         saddle = (struct saddle){t->search, t->left_plane};
         mark = ph_arena_mark(t->scratch); /* it stays */
       }
-      if (t->search.has_saddle && t->search.saddle.point.minimiser) {
-        settle_for(t, &(struct saddle){t->search, t->left_plane});
-        return status;
-      }
     }
   }
   if (saddle.search.has_saddle) {

@@ -3,6 +3,7 @@
 #include "solve/arclength/arclength.h"
 
 #include "kernel/band.h"
+#include "kernel/inertia.h"
 #include "solve/arclength/system.h"
 
 #include <math.h>
@@ -67,11 +68,12 @@ bool ph_arc_newton_alloc(const struct ph_arc_system *s, struct ph_arena *arena,
   size_t size = sizeof(double);
   w->arena = arena;
   w->starved = false;
-  w->convex = w->proved = 0;
+  w->convex = 0;
   w->kkt = ph_arena_array(arena, s->kkt_n, ph_band_size(1, s->kkt_band) * size);
   w->pivot = ph_arena_array(arena, s->kkt_n, sizeof(uint32_t));
   w->penalised =
       ph_arena_array(arena, s->x_n, ph_sym_size(1, s->order_band) * size);
+  w->minors = ph_arena_array(arena, ph_inertia_size(s->kkt_band), size);
   w->step = ph_arena_array(arena, s->kkt_n, size);
   w->dx = ph_arena_array(arena, s->x_n, size);
   w->dx2 = ph_arena_array(arena, s->x_n, size);
@@ -84,8 +86,8 @@ bool ph_arc_newton_alloc(const struct ph_arc_system *s, struct ph_arena *arena,
   w->gradient = ph_arena_array(arena, s->x_n, size);
   return ph_arc_linear_alloc(s, arena, &w->linear) && w->gradient &&
          ph_arc_blocks_alloc(s, arena, &w->blocks) && w->kkt && w->pivot &&
-         w->penalised && w->step && w->dx && w->dx2 && w->x[0] && w->x[1] &&
-         w->y && w->dy && w->c && w->nu;
+         w->penalised && w->minors && w->step && w->dx && w->dx2 && w->x[0] &&
+         w->x[1] && w->y && w->dy && w->c && w->nu;
 }
 
 bool ph_arc_point_alloc(const struct ph_arc_system *s, struct ph_arena *arena,

@@ -129,6 +129,7 @@ struct ph_arc_newton {
   double *kkt;      /* factors of the KKT matrix */
   uint32_t *pivot;
   double *penalised; /* factor of the penalised Hessian */
+  double *minors;    /* of the KKT matrix, see kernel/inertia.h */
   double *step;      /* [kkt_n] in the order of the matrix */
   double *dx;        /* [x_n] */
   double *dx2;       /* [x_n] */
@@ -138,9 +139,9 @@ struct ph_arc_newton {
   double *c;         /* [y_n] rows of a candidate */
   double *nu;        /* [y_n] weights of |c| in the merit function */
   struct ph_arc_blocks blocks;
-  size_t times;          /* that places were solved, of this start */
-  bool starved;          /* there was no memory for places */
-  size_t convex, proved; /* weights of proofs that did last: tried first */
+  size_t times;  /* that places were solved, of this start */
+  bool starved;  /* there was no memory for places */
+  size_t convex; /* the weight that did last: tried first */
 };
 
 /* Weight of what fixes the common phase. */
@@ -187,21 +188,15 @@ bool ph_arc_is_positive(const struct ph_arc_system *system,
 
 /*
  * ph_arc_is_minimum: proves that a stationary point is a strict minimum but for
- * what leaves the equations as they are: the Hessian of the Lagrangian plus
- * rho J^T J, pinned, has a Cholesky factor for some rho, at least with a shift
- * of the size of its rounding.  False: it is a saddle.
+ * what leaves the equations as they are: the KKT matrix, with a Hessian that is
+ * pinned and shifted by the size of its rounding, has as many negative
+ * eigenvalues as rows.  False: it is a saddle.
  *
  * in   x, y  of this system, which may be another than the one that was solved
  */
 bool ph_arc_is_minimum(const struct ph_arc_system *system,
                        struct ph_arc_newton *work, const double *x,
                        const double *y);
-
-/* ph_arc_is_steep: the same with a larger rho, for multipliers as large as
- * those of a near-cusp. */
-bool ph_arc_is_steep(const struct ph_arc_system *system,
-                     struct ph_arc_newton *work, const double *x,
-                     const double *y);
 
 /*
  * Places: stretches of a curve of many intervals where a step was not small.

@@ -290,17 +290,11 @@ static void begin(struct run *run, const struct kind *kind) {
 /* Keeps what was not proved to be a minimum, for where nothing else is. */
 static void keep_saddle(struct run *run, size_t start) {
   struct ph_arc_search *search = run->search;
-  struct ph_arc_point *p = &run->engine.point, *kept = &search->saddle.point;
-  bool steep = !(search->has_saddle && kept->minimiser) &&
-               ph_arc_is_steep(&search->system, &run->engine.work, p->x, p->y);
-  if (steep || !search->has_saddle) {
+  if (!search->has_saddle) {
     search->has_saddle = true;
     search->saddle.start = start;
-    ph_arc_point_copy(&search->system, p, kept);
-    kept->minimiser = steep;
-    if (steep) {
-      search->starts[start].outcome = PH_OUTCOME_MINIMISER;
-    }
+    ph_arc_point_copy(&search->system, &run->engine.point,
+                      &search->saddle.point);
   }
 }
 

@@ -2,6 +2,7 @@
 /* Second derivatives of an interval (see second.h). */
 #include "solve/arclength/second.h"
 
+#include <math.h>
 #include <string.h>
 
 /* Multipliers of the rows as they are, not as whitened. */
@@ -91,4 +92,40 @@ void ph_arc_second_wrapped(const struct ph_arc_system *s, size_t i,
   ph_arc_piece_of(s, x, i, &p);
   set_nodes(s, i, y, functional, h);
   unwrap(s, &p, h);
+}
+
+size_t ph_arc_pins(const struct ph_arc_system *s, const double *x, size_t *node,
+                   double out[2][4]) {
+  bool two = s->data->line;
+  const double *w;
+  double iw[4], best = -1;
+  if (s->dim != 4) {
+    return 0;
+  }
+  *node = s->nodes / 2;
+  for (size_t j = 0; two && j < s->nodes; j++) {
+    const double *v = x + 4 * j;
+    double a = v[0] * v[0] + v[1] * v[1], b = v[2] * v[2] + v[3] * v[3];
+    double least = a < b ? a : b;
+    if (least > best) {
+      best = least;
+      *node = j;
+    }
+  }
+  w = x + 4 * *node;
+  ph_arc_turned(w, iw);
+  memset(out, 0, 8 * sizeof(double));
+  if (!two || !(best > 0)) {
+    double size = sqrt(ph_arc_dot(4, iw, iw));
+    for (size_t k = 0; k < 4; k++) {
+      out[0][k] = size > 0 ? iw[k] / size : k == 1;
+    }
+    return 1;
+  }
+  for (size_t half = 0; half < 2; half++) {
+    double size = hypot(iw[2 * half], iw[2 * half + 1]);
+    out[half][2 * half] = iw[2 * half] / size;
+    out[half][2 * half + 1] = iw[2 * half + 1] / size;
+  }
+  return 2;
 }

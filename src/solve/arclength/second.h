@@ -48,4 +48,12 @@ static inline bool ph_arc_second_meet(const struct ph_arc_system *system,
   return i == span || j == span || (i <= j + 2 && j <= i + 2);
 }
 
+/* ph_arc_pins: what leaves all equations as they are: the common phase; of data
+ * on a line also a turn about it, so that a and b have a phase each.  One node
+ * is held.
+ * out node, out  the directions in which it is
+ * ret  how many there are, 0 to 2 */
+size_t ph_arc_pins(const struct ph_arc_system *system, const double *x,
+                   size_t *node, double out[2][4]);
+
 #endif

@@ -424,6 +424,7 @@ struct ph_arc_weights {
   double pin;        /* weight of what fixes the common phase of the spinors */
   double rounding;   /* of penalised matrices: times the largest element on the
                       * diagonal of the Hessian, as a further shift; or 0 */
+  double yield;      /* of ph_arc_kkt_negative: compliance of all rows */
   const double *shifts; /* [nodes] a further one of each node; or NULL */
   const double *holds;  /* [nodes] times its unit matrix; or NULL */
   bool retracted; /* second derivatives along ph_arc_retract, not along lines,
@@ -490,6 +491,15 @@ bool ph_arc_kkt_factor(const struct ph_arc_system *system, const double *x,
                        const double *y, const struct ph_arc_linear *linear,
                        const struct ph_arc_weights *weights, double *matrix,
                        uint32_t *pivot);
+
+/* ph_arc_kkt_negative: how many negative eigenvalues it has, A raised by
+ * weights->rounding; SIZE_MAX when something is not finite or time is over.
+ * out matrix [ph_sym_size(kkt_n, kkt_band)], work [ph_inertia_size(kkt_band)]
+ */
+size_t ph_arc_kkt_negative(const struct ph_arc_system *system, const double *x,
+                           const double *y, const struct ph_arc_linear *linear,
+                           const struct ph_arc_weights *weights, double *matrix,
+                           double *work);
 
 /*
  * ph_arc_penalised: A + sum_k row_k row_k^T / (compliance_k + 1 / rho), in the

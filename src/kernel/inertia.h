@@ -5,8 +5,8 @@
  * principal minors.  They come out of an elimination that interchanges rows as
  * they are taken in, for which the matrix may be indefinite [MAR67].
  */
-#ifndef PH_CHECK_INERTIA_H
-#define PH_CHECK_INERTIA_H
+#ifndef PH_KERNEL_INERTIA_H
+#define PH_KERNEL_INERTIA_H
 
 #include <stddef.h>
 

@@ -2,7 +2,7 @@
 /* Negative eigenvalues of band matrices, where they are known. */
 #include "unit.h"
 
-#include "check/inertia.h"
+#include "kernel/inertia.h"
 #include "kernel/band.h"
 
 enum { N_MAX = 60, BAND_MAX = 7 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Signs of leading principal minors (see inertia.h). */
-#include "check/inertia.h"
+#include "kernel/inertia.h"
 
 #include <math.h>
 #include <stdbool.h>
