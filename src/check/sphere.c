@@ -588,5 +588,9 @@ enum ph_status ph_check_sphere(struct ph_check *v,
     return ph_fail(diag, PH_E_INTERNAL, "points", "have no extent");
   }
   status = check_curve(&c, &checks, diag);
-  return status == PH_OK ? conclude(&c, &checks, diagnostics, diag) : status;
+  status = status == PH_OK ? conclude(&c, &checks, diagnostics, diag) : status;
+  if (status == PH_E_NO_CONVERGENCE && !c.exact) {
+    ph_diag_add(diag, "--model=exact finds a spline as a rule");
+  }
+  return status;
 }

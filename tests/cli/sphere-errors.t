@@ -402,6 +402,16 @@ expect 'no convergence: larger tensions do help' 0
 feed "{$wide}" sphere
 expect 'no convergence: so does the other model' 0
 
+# Where its iteration ends too early the certificate says so, and what helps.
+for points in '[-70,10],[-50,-60],[80,30],[-90,-70]' \
+  '[140,50],[60,80],[-120,-20],[0,40],[120,0]'; do
+  feed "{\"lonlat\":[$points],\"model\":\"nielson\"}" sphere
+  sed -n 's/.* allowed; /allowed; /p' err >said
+  mv said err
+  expect 'no convergence: refused by its certificate' 1 \
+    'allowed; --model=exact finds a spline as a rule [no-convergence]'
+done
+
 # ---- offsets -----------------------------------------------------------------
 
 # too_far DISTANCE HALF RADIUS
