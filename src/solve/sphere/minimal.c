@@ -35,9 +35,10 @@ enum {
 };
 
 /* The box at first, relative to the tensions (at least SMALL of the largest),
- * how it shrinks and grows, and when it is too small. */
+ * how it shrinks and grows, and when it is too small.  In a larger one than
+ * BOX_MAX the sum is too far from linear. */
 static const double BOX = 0.5;
-static const double BOX_MAX = 2;
+static const double BOX_MAX = 1;
 static const double BOX_MIN = 1e-3;
 static const double SHRINK = 0.3;
 static const double SMALL = 0.05;
@@ -166,17 +167,10 @@ static bool solve_at(struct block *b, const double *nu) {
   return false;
 }
 
-/* Whether all criteria hold wherever the spline has changed, at a smaller sum
- * of the tensions than the one that was kept. */
-static bool is_better(const struct block *b) {
-  const struct ph_sphere_spline *s = b->raise->spline;
+/* Whether all criteria hold wherever the spline has changed. */
+static bool holds(const struct block *b) {
   size_t from = 0, at;
-  double fall = 0;
-  for (size_t j = 0; j < b->q; j++) {
-    fall += b->nu[j] - s->nu[b->node[j]];
-  }
-  return fall > 0 &&
-         ph_sphere_violated(b->raise, b->solved, &from, &at) == PH_SPHERE_FINE;
+  return ph_sphere_violated(b->raise, b->solved, &from, &at) == PH_SPHERE_FINE;
 }
 
 /* ---- linear programs ----------------------------------------------------- */
@@ -345,11 +339,20 @@ static bool take(struct block *b, double *nu) {
   for (size_t j = 0; j < b->q; j++) {
     nu[j] = fmax(nu[j], d->nu[b->node[j]]);
   }
-  if (!solve_at(b, nu) || !is_better(b)) {
+  if (!solve_at(b, nu) || !holds(b)) {
     return false;
   }
   keep(b);
   return true;
+}
+
+/* By how much a part of a step makes the sum fall. */
+static double fall_of(const struct block *b, const double *step, double part) {
+  double fall = 0;
+  for (size_t j = 0; j < b->q; j++) {
+    fall -= to_change(b, j, part * step[j]);
+  }
+  return fall;
 }
 
 /* The same with a part of a step. */
@@ -361,30 +364,47 @@ static bool take_step(struct block *b, const double *step, double part) {
   return take(b, nu);
 }
 
+/* The fall of the sum that is no progress in a box. */
+static double too_little(const struct block *b, double box) {
+  return PROGRESS * sum_of(b, b->nu) * fmin(box / BOX, 1);
+}
+
 /* Takes the step that a linear program finds in the box, corrected some times
  * for the curvature of the criteria, if they hold there: those of the program
- * have a margin.  Or a part of the last one.  Which part: 0 is none. */
+ * have a margin.  Or a part of the last one.  Which part: 0 is none, and less
+ * than 0 where the program itself makes no progress.  The sum is linear to it
+ * alone: what it takes for a fall may be none. */
 static double go(struct block *b, double box) {
   static const double parts[] = {0.5, 0.2, 0.05};
   double step[BLOCK_MAX];
   for (size_t row = 0; row < b->rows; row++) {
     b->rhs[row] = -fmax(b->g[row], 0) / b->norm[row];
   }
-  for (size_t i = 0; i <= CORRECTIONS; i++) {
-    if (!find_step(b, box, step)) {
-      return 0;
-    }
+  if (!find_step(b, box, step)) {
+    return 0;
+  }
+  if (-sum_of(b, step) < too_little(b, box)) {
+    return -1;
+  }
+  for (size_t i = 0; fall_of(b, step, 1) > 0; i++) {
+    double next[BLOCK_MAX];
     if (take_step(b, step, 1)) {
       return 1;
     }
     correct(b, step);
     restore(b);
+    if (i == CORRECTIONS || !find_step(b, box, next)) {
+      break;
+    }
+    memcpy(step, next, sizeof next);
   }
   for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
-    if (take_step(b, step, parts[i])) {
-      return parts[i];
+    if (fall_of(b, step, parts[i]) > 0) {
+      if (take_step(b, step, parts[i])) {
+        return parts[i];
+      }
+      restore(b);
     }
-    restore(b);
   }
   return 0;
 }
@@ -399,7 +419,7 @@ static void halve(struct block *b) {
     for (size_t j = 0; j < b->q; j++) {
       nu[j] = (d->nu[b->node[j]] + b->nu[j]) / 2;
     }
-    held = take(b, nu);
+    held = sum_of(b, nu) < sum_of(b, b->nu) && take(b, nu);
   }
   restore(b);
 }
@@ -425,7 +445,7 @@ static void minimise_block(struct block *b) {
   keep(b);
   halve(b);
   for (size_t i = 0; i < STEPS_MAX && box > BOX_MIN && !is_late(b); i++) {
-    double sum = sum_of(b, b->nu), part = 0;
+    double sum = sum_of(b, b->nu), least = too_little(b, box), part = 0;
     if (!(sum > 0)) {
       return;
     }
@@ -433,13 +453,14 @@ static void minimise_block(struct block *b) {
     while (!(part > 0) && box > BOX_MIN && !is_late(b)) {
       part = go(b, box);
       box *= part < 1 ? SHRINK : 1;
-    }
-    if (!(part < 1)) {
-      if (sum - sum_of(b, b->nu) < PROGRESS * sum * fmin(box / BOX, 1)) {
+      if (part < 0) {
         return;
       }
-      box = fmin(2 * box, BOX_MAX);
     }
+    if (part > 0 && sum - sum_of(b, b->nu) < part * least) {
+      return;
+    }
+    box = part < 1 ? box : fmin(2 * box, BOX_MAX);
   }
 }
 
