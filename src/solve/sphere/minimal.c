@@ -28,10 +28,9 @@ enum {
   SPAN_MAX = BLOCK_MAX * (GAP_MAX + 1),
   JUDGED_MAX = SPAN_MAX + 2 * AROUND,
   ROWS_MAX = JUDGED_MAX * 2 * PH_SPHERE_MEASURES,
-  STEPS_MAX = 40,    /* linearisations of a block */
-  CORRECTIONS = 3,   /* of a linear program in a box */
-  HALVINGS_MAX = 30, /* of all tensions of a block, to begin with */
-  SWEEPS_MAX = 4 /* of all blocks, where a run of raised nodes has several */
+  STEPS_MAX = 40,  /* linearisations of a block */
+  CORRECTIONS = 3, /* of a linear program in a box */
+  SWEEPS_MAX = 4   /* of all blocks, where a run of raised nodes has several */
 };
 
 /* The box at first, relative to the tensions (at least SMALL of the largest),
@@ -409,21 +408,6 @@ static double go(struct block *b, double box) {
   return 0;
 }
 
-/* Halves what the tensions of a block were raised by while the criteria hold:
- * growth by doubling may have gone far beyond. */
-static void halve(struct block *b) {
-  const struct ph_sphere_data *d = b->raise->spline->data;
-  bool held = true;
-  for (size_t i = 0; held && i < HALVINGS_MAX; i++) {
-    double nu[BLOCK_MAX];
-    for (size_t j = 0; j < b->q; j++) {
-      nu[j] = (d->nu[b->node[j]] + b->nu[j]) / 2;
-    }
-    held = sum_of(b, nu) < sum_of(b, b->nu) && take(b, nu);
-  }
-  restore(b);
-}
-
 /* The largest angle where the spline changes. */
 static double largest_angle(const struct block *b) {
   const struct ph_sphere_data *d = b->raise->spline->data;
@@ -439,11 +423,7 @@ static void minimise_block(struct block *b) {
   double angle = largest_angle(b);
   b->responds = b->raise->spline->model->retension && angle <= RESPONDS;
   b->linear = b->responds && angle <= LINEAR;
-  if (b->responds) {
-    ph_sphere_response_of(b->raise->spline, b->solved, &b->response);
-  }
   keep(b);
-  halve(b);
   for (size_t i = 0; i < STEPS_MAX && box > BOX_MIN && !is_late(b); i++) {
     double sum = sum_of(b, b->nu), least = too_little(b, box), part = 0;
     if (!(sum > 0)) {
