@@ -53,7 +53,10 @@ static const double YIELD = 0.87;
 static const double DIFFERENCE = 1e-2;
 
 /* The fall of the sum that is no progress in a box of size BOX. */
-static const double PROGRESS = 5e-4;
+static const double PROGRESS = 1e-3;
+
+/* A tension that comes down to its least one has rounding left, of this. */
+static const double DOWN = 1e-9;
 
 /* Angles below which the response to a step is its solution: what is neglected
  * is about 0.01 theta^2 of it, 1e-6, far less than the margins of the criteria;
@@ -71,6 +74,7 @@ struct block {
   size_t node[BLOCK_MAX];        /* in the order of the data */
   struct ph_sphere_range judged; /* whose criteria a program has */
   struct ph_sphere_range solved; /* where the spline changes */
+  bool idle[BLOCK_MAX];          /* at its given tension, and left there */
   double nu[BLOCK_MAX];          /* tensions of the last good spline, */
   ph_vec3 *x;                    /* [solved.count] and its x, r and l, */
   ph_vec3 *r, *l;                /* [solved.count + 1] of the segments there */
@@ -166,12 +170,6 @@ static bool solve_at(struct block *b, const double *nu) {
   return false;
 }
 
-/* Whether all criteria hold wherever the spline has changed. */
-static bool holds(const struct block *b) {
-  size_t from = 0, at;
-  return ph_sphere_violated(b->raise, b->solved, &from, &at) == PH_SPHERE_FINE;
-}
-
 /* ---- linear programs ----------------------------------------------------- */
 
 /* All that is asked at node j of those that are judged, and of the segment
@@ -244,12 +242,12 @@ static void differentiate_by(struct block *b, size_t j) {
     size_t node = ph_sphere_node(d, b->judged, at);
     size_t far = node > i ? node - i : i - node;
     far = d->closed && d->n - far < far ? d->n - far : far;
-    if (far < NEAR) {
-      measure_at(b, at, b->moved + b->row[at]);
+    if (far >= NEAR) {
+      continue;
     }
+    measure_at(b, at, b->moved + b->row[at]);
     for (size_t row = b->row[at]; row < b->row[at + 1]; row++) {
-      b->jacobian[row * b->q + j] =
-          far < NEAR ? (b->moved[row] - b->g[row]) / step : 0;
+      b->jacobian[row * b->q + j] = (b->moved[row] - b->g[row]) / step;
     }
   }
   s->nu[i] = b->nu[j];
@@ -266,8 +264,11 @@ static void differentiate(struct block *b) {
     b->row[at + 1] = b->row[at] + measure_at(b, at, b->g + b->row[at]);
   }
   b->rows = b->row[b->judged.count];
+  memset(b->jacobian, 0, b->rows * b->q * sizeof *b->jacobian);
   for (size_t j = 0; j < b->q; j++) {
-    differentiate_by(b, j);
+    if (!b->idle[j]) {
+      differentiate_by(b, j);
+    }
   }
   scale_rows(b);
 }
@@ -326,7 +327,7 @@ static bool find_step(struct block *b, double box, double *step) {
     double down = b->nu[j] - d->nu[b->node[j]];
     one[j] = 1;
     lower[j] = to_step(b, j, down < side ? -down : -side);
-    upper[j] = to_step(b, j, side);
+    upper[j] = b->idle[j] ? 0 : to_step(b, j, side);
   }
   return ph_lp_solve(&lp, &b->lp, step) == PH_LP_OPTIMAL;
 }
@@ -335,10 +336,13 @@ static bool find_step(struct block *b, double box, double *step) {
  * there, or as it was kept where there is none. */
 static bool take(struct block *b, double *nu) {
   const struct ph_sphere_data *d = b->raise->spline->data;
+  size_t from = 0, at;
   for (size_t j = 0; j < b->q; j++) {
-    nu[j] = fmax(nu[j], d->nu[b->node[j]]);
+    double least = d->nu[b->node[j]];
+    nu[j] = nu[j] - least > DOWN * yield_of(b, j) ? nu[j] : least;
   }
-  if (!solve_at(b, nu) || !holds(b)) {
+  if (!solve_at(b, nu) ||
+      ph_sphere_violated(b->raise, b->solved, &from, &at) != PH_SPHERE_FINE) {
     return false;
   }
   keep(b);
@@ -398,12 +402,10 @@ static double go(struct block *b, double box) {
     memcpy(step, next, sizeof next);
   }
   for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
-    if (fall_of(b, step, parts[i]) > 0) {
-      if (take_step(b, step, parts[i])) {
-        return parts[i];
-      }
-      restore(b);
+    if (fall_of(b, step, parts[i]) > 0 && take_step(b, step, parts[i])) {
+      return parts[i];
     }
+    restore(b);
   }
   return 0;
 }
@@ -418,9 +420,22 @@ static double largest_angle(const struct block *b) {
   return largest;
 }
 
+/* Leaves the nodes alone that are at their given tensions, if any may be:
+ * most of them stay there, and to ask takes a derivative.  Whether some are. */
+static bool set_idle(struct block *b, bool any) {
+  const struct ph_sphere_data *d = b->raise->spline->data;
+  bool some = false;
+  for (size_t j = 0; j < b->q; j++) {
+    b->idle[j] = any && !(b->nu[j] > d->nu[b->node[j]]);
+    some = some || b->idle[j];
+  }
+  return some;
+}
+
+/* Steps from one linearisation to the next, of all nodes in the end. */
 static void minimise_block(struct block *b) {
-  double box = BOX;
-  double angle = largest_angle(b);
+  double box = BOX, angle = largest_angle(b);
+  bool idle = false;
   b->responds = b->raise->spline->model->retension && angle <= RESPONDS;
   b->linear = b->responds && angle <= LINEAR;
   keep(b);
@@ -429,18 +444,20 @@ static void minimise_block(struct block *b) {
     if (!(sum > 0)) {
       return;
     }
+    idle = set_idle(b, idle);
     differentiate(b);
-    while (!(part > 0) && box > BOX_MIN && !is_late(b)) {
+    while (!(part > 0 || part < 0) && box > BOX_MIN && !is_late(b)) {
       part = go(b, box);
-      box *= part < 1 ? SHRINK : 1;
-      if (part < 0) {
-        return;
-      }
+      box *= part < 0 || part >= 1 ? 1 : SHRINK;
     }
-    if (part > 0 && sum - sum_of(b, b->nu) < part * least) {
+    if (part > 0 && sum - sum_of(b, b->nu) >= least) {
+      box = part < 1 ? box : fmin(2 * box, BOX_MAX);
+      idle = true;
+    } else if (idle) {
+      idle = false;
+    } else {
       return;
     }
-    box = part < 1 ? box : fmin(2 * box, BOX_MAX);
   }
 }
 
