@@ -27,9 +27,11 @@ enum {
 static const double TENSION_MAX = 1e8;
 static const double FIRST = 0.125;
 
-/* A small raise: by this factor, at least to this part of FIRST. */
+/* A small raise: by this factor, at least to this part of FIRST.  It grows from
+ * round to round up to doubling: some nodes need 10^5 times their first. */
 static const double REPAIR = 1.1;
 static const double REPAIR_FIRST = 1.0 / 64;
+static const double REPAIR_GROWS = 1.02;
 
 /* What a round does to a node. */
 enum { NOTHING, RAISE, RESET };
@@ -95,8 +97,7 @@ static double raised(const struct ph_sphere_raise *raise, size_t i) {
     next = 2 * nu > first ? 2 * nu : first;
     break;
   case PH_SPHERE_REPAIR:
-    next =
-        REPAIR * nu > REPAIR_FIRST * first ? REPAIR * nu : REPAIR_FIRST * first;
+    next = fmax(raise->by * nu, REPAIR_FIRST * first);
     break;
   }
   return next < most ? next : nu < most ? most : nu;
@@ -379,6 +380,7 @@ static bool repair(struct ph_sphere_raise *raise) {
   bool waive = raise->waive;
   enum ph_status status = PH_OK;
   raise->increase = PH_SPHERE_REPAIR;
+  raise->by = REPAIR;
   raise->ranges[0] = ph_sphere_all(raise->spline->data);
   raise->ranges_n = 1;
   if (!ph_sphere_newton(raise->spline, raise->ranges[0], raise->work)) {
@@ -389,6 +391,7 @@ static bool repair(struct ph_sphere_raise *raise) {
   while (status == PH_OK && raise->ranges_n > 0) {
     status = raise->rounds - before < REPAIRS_MAX ? go_round(raise)
                                                   : PH_E_NO_CONVERGENCE;
+    raise->by = fmin(REPAIR_GROWS * raise->by, 2);
   }
   raise->waive = waive;
   return status == PH_OK;
