@@ -11,6 +11,9 @@ enum {
   /* Nodes on either side of a raised tension that are solved again: 3.7^-30 is
    * below rounding. */
   REACH = 30,
+  /* The same while they grow, after which the whole is solved once more: what
+   * is missing is 3.7^-12, far less than a round changes. */
+  REACH_GROWING = 12,
   ROUNDS_MAX = PH_SPHERE_ROUNDS_MAX,
   REPAIRS_MAX = 100 /* rounds after tensions were lowered */
 };
@@ -247,13 +250,14 @@ static int compare(const void *a, const void *b) {
 static void find_ranges(struct ph_sphere_raise *raise, size_t touched_n) {
   const struct ph_sphere_data *d = raise->spline->data;
   size_t *t = raise->touched, begin = 0;
+  size_t reach = raise->increase == PH_SPHERE_MINIMAL ? REACH_GROWING : REACH;
   qsort(t, touched_n, sizeof *t, compare);
   raise->ranges_n = 0;
   if (d->closed) {
     /* begin after a gap, and count on beyond n */
     while (begin < touched_n &&
            (begin > 0 ? t[begin] - t[begin - 1]
-                      : t[0] + d->n - t[touched_n - 1]) <= 2 * REACH + 1) {
+                      : t[0] + d->n - t[touched_n - 1]) <= 2 * reach + 1) {
       begin++;
     }
     if (begin == touched_n) {
@@ -266,13 +270,13 @@ static void find_ranges(struct ph_sphere_raise *raise, size_t touched_n) {
     for (j++; j < touched_n; j++) {
       size_t next = t[(begin + j) % touched_n];
       next += next < first ? d->n : 0;
-      if (next - last > 2 * REACH + 1) {
+      if (next - last > 2 * reach + 1) {
         break;
       }
       last = next;
     }
     raise->ranges[raise->ranges_n++] =
-        ph_sphere_widen(d, first, last - first + 1, REACH);
+        ph_sphere_widen(d, first, last - first + 1, reach);
   }
 }
 
@@ -418,7 +422,8 @@ static enum ph_status lower(struct ph_sphere_raise *raise,
   }
   memcpy(s->nu, nu, n * sizeof *nu);
   memcpy(s->x, x, n * sizeof *x);
-  return ph_sphere_newton(s, ph_sphere_all(s->data), raise->work)
+  return repair(raise) ||
+                 ph_sphere_newton(s, ph_sphere_all(s->data), raise->work)
              ? PH_OK
              : PH_E_NO_CONVERGENCE;
 }
