@@ -23,11 +23,13 @@ enum ph_status ph_box_hessian_alloc(struct ph_box_hessian *h,
                                     struct ph_arena *arena, size_t n,
                                     size_t k) {
   double *room = ph_arena_array(arena, n, (3 + 2 * (k + 1)) * sizeof *room);
-  if (!room) {
+  bool *fixed = ph_arena_array(arena, n, sizeof *fixed);
+  if (!room || !fixed) {
     return PH_E_NO_MEMORY;
   }
   *h = (struct ph_box_hessian){.n = n,
                                .k = k,
+                               .fixed = fixed,
                                .x = room,
                                .gradient = room + n,
                                .change = room + 2 * n,
@@ -123,6 +125,7 @@ enum ph_status ph_box_hessian_find(struct ph_box_hessian *h,
   size_t fit = h->n / (2 * h->k + 1), groups = fit > 0 ? fit : 1;
   size_t columns = (h->n + groups - 1) / groups;
   enum ph_status status;
+  h->tried = false;
   memcpy(h->x, x, h->n * sizeof *x);
   memset(h->a, 0, ph_sym_size(h->n, h->k) * sizeof *h->a);
   status = evaluate(h, box, h->gradient);
@@ -147,7 +150,8 @@ static void add_shift(struct ph_box_hessian *h, double shift) {
 }
 
 /* Fixed variables: a row and a column of the identity. */
-static void leave_out(struct ph_box_hessian *h, const bool *fixed) {
+static void leave_out(struct ph_box_hessian *h) {
+  const bool *fixed = h->fixed;
   for (size_t j = 0; j < h->n; j++) {
     for (size_t i = j; i < h->n && i <= j + h->k; i++) {
       if (fixed[i] || fixed[j]) {
@@ -158,34 +162,43 @@ static void leave_out(struct ph_box_hessian *h, const bool *fixed) {
 }
 
 /* Whether it is positive definite, by more than differences can tell. */
-static bool factor(struct ph_box_hessian *h, const bool *fixed) {
+static bool factor(struct ph_box_hessian *h) {
   if (!ph_sym_factor(h->factor, h->n, h->k)) {
     return false;
   }
   for (size_t j = 0; j < h->n; j++) {
     double root = *ph_sym_at(h->factor, h->k, j, j);
-    if (!fixed[j] && !(root * root > PIVOT_MIN * fabs(*at(h, j, j)))) {
+    if (!h->fixed[j] && !(root * root > PIVOT_MIN * fabs(*at(h, j, j)))) {
       return false;
     }
   }
   return true;
 }
 
-void ph_box_hessian_solve(struct ph_box_hessian *h, const bool *fixed,
-                          double *v) {
+/* Factors what is as near to it as can be factored. */
+static void factor_near(struct ph_box_hessian *h) {
   double shift = 0;
-  bool factored = false;
-  for (int i = 0; i < SHIFTS && !factored; i++) {
+  h->tried = true;
+  h->factored = false;
+  for (int i = 0; i < SHIFTS && !h->factored; i++) {
     memcpy(h->factor, h->a, ph_sym_size(h->n, h->k) * sizeof *h->a);
     add_shift(h, shift);
-    leave_out(h, fixed);
-    factored = factor(h, fixed);
+    leave_out(h);
+    h->factored = factor(h);
     shift = shift > 0 ? MORE * shift : SHIFT;
+  }
+}
+
+void ph_box_hessian_solve(struct ph_box_hessian *h, const bool *fixed,
+                          double *v) {
+  if (!h->tried || memcmp(h->fixed, fixed, h->n * sizeof *fixed) != 0) {
+    memcpy(h->fixed, fixed, h->n * sizeof *fixed);
+    factor_near(h);
   }
   for (size_t i = 0; i < h->n; i++) {
     v[i] = fixed[i] ? 0 : v[i];
   }
-  if (factored) {
+  if (h->factored) {
     ph_sym_solve(h->factor, h->n, h->k, v);
   }
 }

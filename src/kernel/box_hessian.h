@@ -26,7 +26,10 @@ struct ph_box_hessian {
   size_t n, k;
   double *a, *factor;            /* as in band.h */
   double *x, *gradient, *change; /* [n] */
-  bool found; /* it had a value, and a gradient, wherever it was asked for */
+  bool *fixed;                   /* [n] what `factor' leaves out */
+  bool found;    /* it had a value, and a gradient, wherever it was asked for */
+  bool tried;    /* to factor it without the variables that are fixed */
+  bool factored; /* and that could be done */
 };
 
 /* ph_box_hessian_alloc: room for n variables and half bandwidth k.
