@@ -205,12 +205,12 @@ fi
 # ---- many points come near to their minimum ----------------------------------
 
 # Random walks of 60 points: with a first estimate of the second derivatives alone
-# the mean of the logarithms was 7.67, with differences it is 7.40.
+# the mean of the logarithms was 7.67, with differences 7.40; crossed it is 7.37.
 walks 16 60 >p
 run planar -q p
 expect 'minima of MV of many points' 0
 floats diagnostics.functional |
-  awk '{ sum += log($1) } END { printf "%d %d\n", NR, sum < 7.55 * NR }' >mean
+  awk '{ sum += log($1) } END { printf "%d %d\n", NR, sum < 7.39 * NR }' >mean
 equal 'minima of MV of many points: low' '16 1' "$(cat mean)"
 
 # An area below all normal numbers is rounded once.

@@ -4,7 +4,8 @@
  *
  * The functionals have several local minima, hence several starts: the data as
  * given, and chordal angles of three sizes or powers of chords.
- * The first of equally good minima is kept.
+ * What each comes to is crossed with the best (min_cross.c); the first of
+ * equally good minima is kept.
  *
  * A search begins with the matrix (1) of min_value.c.  The last one knows more,
  * and so do some before it: every few steps second derivatives by differences
@@ -40,9 +41,10 @@ static bool candidate_alloc(struct ph_planar_candidate *c,
   c->spacing = ph_arena_array(w->scratch, n, sizeof *c->spacing);
   c->h = ph_arena_array(w->scratch, n, sizeof *c->h);
   c->part = ph_arena_array(w->scratch, n, sizeof *c->part);
+  c->length = ph_arena_array(w->scratch, n, sizeof *c->length);
   c->b = ph_arena_array(w->scratch, w->unknowns, sizeof *c->b);
   c->value = (double)NAN;
-  return c->spacing && c->h && c->part && c->b;
+  return c->spacing && c->h && c->part && c->length && c->b;
 }
 
 static enum ph_status allocate(struct ph_planar_work *w) {
@@ -74,13 +76,13 @@ static void start_of(const struct ph_planar_work *w, size_t i,
 }
 
 struct room {
-  double *given, *shape, *x, *best, *lower, *upper;
+  double *given, *shape, *x, *best, *crossed, *lower, *upper;
   double *tried; /* [STARTS][n] */
 };
 
 static enum ph_status room_alloc(struct room *r, size_t n,
                                  struct ph_arena *arena, struct ph_diag *diag) {
-  double *v = ph_arena_array(arena, n, (6 + STARTS) * sizeof *v);
+  double *v = ph_arena_array(arena, n, (7 + STARTS) * sizeof *v);
   if (!v) {
     return ph_fail_memory(diag);
   }
@@ -90,7 +92,8 @@ static enum ph_status room_alloc(struct room *r, size_t n,
   r->lower = v + 3 * n;
   r->upper = v + 4 * n;
   r->best = v + 5 * n;
-  r->tried = v + 6 * n;
+  r->crossed = v + 6 * n;
+  r->tried = v + 7 * n;
   return PH_OK;
 }
 
@@ -174,17 +177,12 @@ static struct ph_box box_of(struct ph_planar_work *w, const struct room *r,
                              w->scale ? NULL : ph_planar_min_condition};
 }
 
-/* One search from the variables in r->x; keeps what is better than the best. */
-static enum ph_status descend(struct ph_planar_work *w, struct room *r,
-                              const struct ph_box *box, double better,
-                              struct ph_box_report *found) {
-  enum ph_status status = ph_box_minimize(box, w->scratch, r->x, found);
-  if (status == PH_OK && w->warm &&
-      !(w->now.value >= w->best.value * (1 - better))) {
+/* Keeps what a search came to if it is better than the best. */
+static void keep(struct ph_planar_work *w, struct room *r, double better) {
+  if (w->warm && !(w->now.value >= w->best.value * (1 - better))) {
     ph_planar_min_copy(&w->best, &w->now, w);
     memcpy(r->best, r->x, w->variables * sizeof *r->best);
   }
-  return status;
 }
 
 static size_t least(size_t a, size_t b) {
@@ -200,7 +198,6 @@ static void condition_by_differences(void *context, const bool *fixed,
 /* A search with second derivatives, from where another one ended. */
 static enum ph_status descend_by_differences(struct ph_planar_work *w,
                                              struct room *r, struct ph_box *box,
-                                             double better,
                                              struct ph_box_report *found) {
   enum ph_status status;
   ph_planar_min_weigh(w, &w->now);
@@ -210,18 +207,23 @@ static enum ph_status descend_by_differences(struct ph_planar_work *w,
   box->to_scale = w->hessian.found;
   box->condition =
       box->to_scale ? condition_by_differences : ph_planar_min_condition;
-  return status == PH_OK ? descend(w, r, box, better, found) : status;
+  return status == PH_OK ? ph_box_minimize(box, w->scratch, r->x, found)
+                         : status;
 }
 
-/* The search from one start, to some digits. */
+/* The search from one start, to some digits, crossed with the best. */
 static enum ph_status descend_twice(struct ph_planar_work *w, struct room *r,
                                     const size_t steps[2]) {
   struct ph_box box = box_of(w, r, steps[0], COARSE);
   struct ph_box_report found = {0};
-  enum ph_status status = descend(w, r, &box, BETTER, &found);
+  enum ph_status status = ph_box_minimize(&box, w->scratch, r->x, &found);
   if (status == PH_OK && w->warm && !found.converged && steps[1] > 0) {
     box.steps_max = steps[1];
-    status = descend_by_differences(w, r, &box, BETTER, &found);
+    status = descend_by_differences(w, r, &box, &found);
+  }
+  if (status == PH_OK) {
+    status = ph_planar_min_cross(w, &box, r->best, r->x, r->crossed);
+    keep(w, r, BETTER);
   }
   return status;
 }
@@ -234,9 +236,10 @@ static enum ph_status finish(struct ph_planar_work *w, struct room *r,
   for (size_t i = 0; status == PH_OK && !found->converged && i < steps_max;
        i += ROUND) {
     struct ph_box box = box_of(w, r, least(ROUND, steps_max - i), GAIN);
-    status = w->scale ? descend(w, r, &box, 0, found)
-                      : descend_by_differences(w, r, &box, 0, found);
+    status = w->scale ? ph_box_minimize(&box, w->scratch, r->x, found)
+                      : descend_by_differences(w, r, &box, found);
   }
+  keep(w, r, 0);
   return status;
 }
 

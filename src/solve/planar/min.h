@@ -13,6 +13,7 @@ struct ph_planar_candidate {
   double *h;        /* [n] as in the data */
   ph_cplx twist;    /* closed */
   double *part;     /* [n] of E or MV that the segments have */
+  double *length;   /* [n] of the segments */
   double energy[3]; /* E, MV, L at unit scale */
   double value;     /* of the functional, at unit scale; or NaN */
 };
@@ -62,5 +63,18 @@ enum ph_status ph_planar_min_value(void *context, const double *x,
 void ph_planar_min_gradient(void *context, double *result);
 void ph_planar_min_accept(void *context);
 void ph_planar_min_condition(void *context, const bool *fixed, double *v);
+
+/*
+ * ph_planar_min_cross: the best search's curve and that of `now', of each
+ * stretch the fairer one, becomes `now' if it is fairer than both.
+ *
+ * in    best[variables]     of the best
+ * inout x[variables]        of `now'
+ * out   crossed[variables]  workspace
+ * ret   as ph_planar_min_value
+ */
+enum ph_status ph_planar_min_cross(struct ph_planar_work *w,
+                                   const struct ph_box *box, const double *best,
+                                   double *x, double *crossed);
 
 #endif

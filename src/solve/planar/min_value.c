@@ -103,7 +103,8 @@ static void measure(struct ph_planar_work *w) {
     t->part[k] = -ph_sum_value(sum_of(w));
     ph_energy_add(&w->sum, &seg);
     t->part[k] += ph_sum_value(sum_of(w));
-    ph_sum_add(&length, ph_seg2_length(&seg.space, seg.w));
+    t->length[k] = ph_seg2_length(&seg.space, seg.w);
+    ph_sum_add(&length, t->length[k]);
   }
   t->energy[0] = ph_sum_value(&w->sum.bending);
   t->energy[1] = ph_sum_value(&w->sum.varying);
@@ -166,6 +167,7 @@ void ph_planar_min_copy(struct ph_planar_candidate *to,
   memcpy(to->spacing, from->spacing, n * sizeof *to->spacing);
   memcpy(to->h, from->h, n * sizeof *to->h);
   memcpy(to->part, from->part, n * sizeof *to->part);
+  memcpy(to->length, from->length, n * sizeof *to->length);
   memcpy(to->b, from->b, w->unknowns * sizeof *to->b);
   memcpy(to->energy, from->energy, sizeof to->energy);
   to->twist = from->twist;
