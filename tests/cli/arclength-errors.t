@@ -367,6 +367,14 @@ a turn of N takes N; residual N of the mean length; $room" \
 true_that 'lengths that hardly exceed the chords: the tightest' grep -q \
   'lengths.0.: is not met by [0-9]* starts: it is 9.31e-07 above its chord, '\
 'relative, where a turn of 2.11 takes 0.185; .*; --refine=3 gives the curve more' err
+lost 'lengths far below the chords, hardly soft' \
+  "lengths[N]: is not met by N starts: it is N below its chord, relative, where \
+a turn of N takes N; residual N of the mean length; --override=length_sigma=N lets \
+them differ by more" \
+  '"points":[[0,0,0],[1,0,0],[1,1,0.5],[0,1,1],[0.3,0.2,2]],
+   "lengths":[0.5,0.6,0.7,0.5],"length_sigma":1e-9'
+feed "$(cat in)" arclength --override=length_sigma=0.0001 --quiet
+expect 'lengths far below the chords: the advice' 0
 lost 'no more segments to be had' \
   "$unmet, naturally N; residual N of the mean length; $measured" \
   '"derivatives":[[1e6,0,0],[0,1,0],[0,0,1]],"lengths":[1,1],"refine":3'

@@ -436,6 +436,8 @@ static const struct ph_field fields[] = {
 /* More segments first, where their number was given: they find a curve for
  * lengths that are meant to be met. */
 static const struct ph_advice advice[] = {
+    {"lengths", PH_F_LENGTH_SIGMA, PH_F_LENGTH_SIGMA, "0.0001",
+     "--override=length_sigma=0.0001 lets them differ by more"},
     {"tangents", PH_F_TANGENTS, PH_F_MAGNITUDES, "mean",
      "--magnitudes=mean gives each derivative a length"},
     {"lengths", PH_F_REFINE, PH_F_REFINE, "3",

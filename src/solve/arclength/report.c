@@ -272,9 +272,11 @@ static enum ph_status fail_missed(const struct ph_arc_search *search,
     shown = ph_arc_data_user(d, lacks.interval);
     return ph_fail_at(
         diag, PH_E_NO_CONVERGENCE, "lengths", shown,
-        "is not met by %zu starts: it is %.3g above its chord, relative, where "
+        "is not met by %zu starts: it is %.3g %s its chord, relative, where "
         "a turn of %.3g takes %.3g; residual %.2g of the mean length",
-        search->starts_n, lacks.excess, lacks.turn, lacks.needed, p->residual);
+        search->starts_n, fabs(lacks.excess),
+        lacks.excess < 0 ? "below" : "above", lacks.turn, lacks.needed,
+        p->residual);
   }
   if (!search->natural.known) {
     return ph_fail_at(diag, PH_E_NO_CONVERGENCE, "lengths", shown,
