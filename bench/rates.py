@@ -80,6 +80,16 @@ def smooth(r, n):
              0.03 * c * t for c in range(3)] for t in range(n + 1)]
 
 
+def ring(r, n):
+    """A closed curve, a circle with waves."""
+    waves = [(.1 * r.gauss(0, 1), r.randint(2, 7), r.uniform(0, 6.28))
+             for _ in range(3)]
+    turn = [2 * math.pi * i / n for i in range(n)]
+    return [[n / 6 * math.cos(t), n / 6 * math.sin(t),
+             n / 6 * sum(a * math.sin(k * t + p) for a, k, p in waves)]
+            for t in turn]
+
+
 def plane(points):
     return [p[:2] for p in points]
 
@@ -89,7 +99,8 @@ def given(points, lower=0.0, upper=0.0, r=None, **more):
     problem = dict(points=points, **more)
     if lower:
         problem["lengths"] = [norm(plus(b, a, -1)) * r.uniform(lower, upper)
-                              for a, b in zip(points, points[1:])]
+                              for a, b in zip(points, points[1:] + (
+                                  points[:1] if problem.get("closed") else []))]
     return problem
 
 
@@ -260,6 +271,8 @@ def families():
     add("arclength plane cable", "arclength", LONG,
         lambda r, n: given(plane(smooth(r, n)), 1.01, 1.03, r), "first",
         "grows")
+    add("arclength ring", "arclength", LONG,
+        lambda r, n: given(ring(r, n), 1.01, 1.03, r, closed=True), "first")
     add("arclength uneven soft", "arclength", (3, 5, 7, 9),
         lambda r, n: uneven(r, n, 1.005, 1.02, length_sigma=.01), "all")
     for off in (0, .001, .01, .2):

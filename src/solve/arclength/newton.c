@@ -59,6 +59,7 @@ struct state {
   double before; /* the decrement of the step before, if that was near */
   size_t stagnations;
   size_t steps; /* so far */
+  size_t end;   /* of iterations, which those of places put off */
 };
 
 /* ---- memory -------------------------------------------------------------- */
@@ -504,7 +505,9 @@ static bool iterate(struct state *t) {
   t->shift = t->shift < SHIFT_NONE ? 0 : t->shift;
   t->steps++;
   if (w->blocks.n > 0 && !t->near && !s->part) {
+    size_t before = p->iterations;
     w->starved = !ph_arc_places(s, w, step, t->steps, p);
+    t->end += p->iterations - before;
   }
   return !w->starved;
 }
@@ -519,14 +522,14 @@ bool ph_arc_newton_solve(const struct ph_arc_system *s,
                          struct ph_arc_point *p) {
   struct state t = {
       .s = s, .w = work, .p = p, .limit = NEAR, .before = (double)INFINITY};
-  size_t end = p->iterations + limit;
   bool go = true;
+  t.end = p->iterations + limit;
   work->times = 0;
   p->converged = p->minimiser = false;
   t.moved = !s->knot_compliance;
   memset(work->nu, 0, s->y_n * sizeof *work->nu);
   look(&t);
-  while (p->iterations < end && go && isfinite(p->f) && !is_done(&t)) {
+  while (p->iterations < t.end && go && isfinite(p->f) && !is_done(&t)) {
     go = iterate(&t) && !ph_arena_late(work->arena);
     if (go) {
       look(&t);
