@@ -34,9 +34,6 @@ static const double ROUGH_BLOCKS = 0.1, CREEPS_BLOCKS = 0.03;
  * 100 to 1000 intervals they miss .002 to .04, of random walks 1.3 to 1.8. */
 static const double SMOOTH = 0.1;
 
-/* Rows that hold to this are those of a curve near a minimum. */
-static const double HELD = 1e-7;
-
 bool ph_arc_engine_of(const struct ph_arc_system *s, struct ph_arena *arena,
                       struct ph_arc_engine *e) {
   *e = (struct ph_arc_engine){.s = s, .arena = arena};
@@ -121,22 +118,11 @@ size_t ph_arc_engine_first_steps(const struct ph_arc_engine *e) {
   return e->work.blocks.n > 0 ? STEPS_LONG : STEPS_FIRST;
 }
 
-bool ph_arc_engine_go_on(struct ph_arc_engine *e, double rho) {
+bool ph_arc_engine_go_on(struct ph_arc_engine *e) {
   struct ph_arc_point *p = &e->point;
   if (!p->converged && p->residual <= PH_ARC_NEAR) {
     ph_arc_newton_solve(e->s, &e->work,
                         PH_ARC_STEPS - ph_arc_engine_first_steps(e), p);
-  }
-  if (p->converged || !(p->residual <= HELD)) {
-    return !e->work.starved;
-  }
-  if (!need_rough(e)) {
-    return false;
-  }
-  if (e->rough.windows.n > 0) {
-    penalise(e, rho);
-    ph_arc_blocks_begin(&e->work.blocks);
-    ph_arc_newton_solve(e->s, &e->work, PH_ARC_STEPS_AFTER, p);
   }
   return !e->work.starved;
 }

@@ -55,13 +55,11 @@ bool ph_arc_engine_is_smooth(const struct ph_arc_engine *engine,
  * ph_arc_engine_go_on: after ph_arc_engine_iterate with first_steps.
  *
  * Where Newton's method ended with rows that nearly hold, as of many intervals,
- * it goes on.  Where it crept, with one shift for the whole curve, windows go
- * on from there with the multipliers that it found.  Where rows do not hold yet
- * the curve is far from its minimum, and a new start finds a lower one.
+ * it goes on.  Where rows do not hold yet the curve is far from its minimum,
+ * and a new start finds a lower one.
  *
- * in   rho  of the windows
  * ret  false: no memory
  */
-bool ph_arc_engine_go_on(struct ph_arc_engine *engine, double rho);
+bool ph_arc_engine_go_on(struct ph_arc_engine *engine);
 
 #endif

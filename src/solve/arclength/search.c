@@ -50,38 +50,38 @@ static const struct kind {
   enum use use;
   enum origin origin;
   double rho;    /* weight of an augmented Lagrangian before Newton; 0: none */
-  double more;   /* the same, after Newton where that crept */
+  bool more;     /* Newton's steps, where it came near */
   double twist;  /* of the phases, in turn to one side and the other */
   double wave;   /* size of the random wave that is added */
   uint64_t seed; /* of its random numbers; 0: they go on */
 } kinds[] = {
-    {"twist", USE_SINGLE, ORIGIN_INIT, 100, 0, -0.2, 0, 0},
-    {"twist-left", USE_SINGLE, ORIGIN_INIT, 1e4, 0, 0.2, 0, 0},
-    {"twist-right", USE_SINGLE, ORIGIN_INIT, 1e4, 0, -0.2, 0, 0},
-    {"wave", USE_GIVEN, ORIGIN_INIT, 1e4, 0, 0, 0.1, 2},
-    {"relaxed", USE_NEAR, ORIGIN_NATURAL, 0, 0, 0, 0, 0},
-    {"penalty", USE_LONG, ORIGIN_INIT, 100, 0, 0, 0, 0},
-    {"wiggle", USE_LONG, ORIGIN_WIGGLE, 0, 1e4, 0, 0, 0},
-    {"init", USE_FIRST, ORIGIN_INIT, 0, 0, 0, 0, 0},
-    {"relaxed", USE_FAR, ORIGIN_NATURAL, 0, 0, 0, 0, 0},
-    {"wiggle", USE_SHORT, ORIGIN_WIGGLE, 0, 1e4, 0, 0, 0},
-    {"wiggle-1e4", USE_RESCUE, ORIGIN_WIGGLE, 1e4, 0, 0, 0, 0},
-    {"penalty", USE_SHORT, ORIGIN_INIT, 100, 0, 0, 0, 0},
-    {"penalty-1e4", USE_RESCUE, ORIGIN_INIT, 1e4, 0, 0, 0, 0},
-    {"wave-2", USE_LAST, ORIGIN_NEAREST, 0, 0, 0, 0.02, 0},
-    {"wave-10", USE_LAST, ORIGIN_NEAREST, 0, 0, 0, 0.1, 0},
-    {"wave-30", USE_LAST, ORIGIN_NEAREST, 0, 0, 0, 0.3, 0},
-    {"init-wave-2", USE_LAST, ORIGIN_INIT, 0, 0, 0, 0.02, 0},
-    {"init-wave-10", USE_LAST, ORIGIN_INIT, 0, 0, 0, 0.1, 0},
-    {"init-wave-30", USE_LAST, ORIGIN_INIT, 0, 0, 0, 0.3, 0},
+    {"twist", USE_SINGLE, ORIGIN_INIT, 100, false, -0.2, 0, 0},
+    {"twist-left", USE_SINGLE, ORIGIN_INIT, 1e4, false, 0.2, 0, 0},
+    {"twist-right", USE_SINGLE, ORIGIN_INIT, 1e4, false, -0.2, 0, 0},
+    {"wave", USE_GIVEN, ORIGIN_INIT, 1e4, false, 0, 0.1, 2},
+    {"relaxed", USE_NEAR, ORIGIN_NATURAL, 0, false, 0, 0, 0},
+    {"penalty", USE_LONG, ORIGIN_INIT, 100, false, 0, 0, 0},
+    {"wiggle", USE_LONG, ORIGIN_WIGGLE, 0, true, 0, 0, 0},
+    {"init", USE_FIRST, ORIGIN_INIT, 0, false, 0, 0, 0},
+    {"relaxed", USE_FAR, ORIGIN_NATURAL, 0, false, 0, 0, 0},
+    {"wiggle", USE_SHORT, ORIGIN_WIGGLE, 0, true, 0, 0, 0},
+    {"wiggle-1e4", USE_RESCUE, ORIGIN_WIGGLE, 1e4, false, 0, 0, 0},
+    {"penalty", USE_SHORT, ORIGIN_INIT, 100, false, 0, 0, 0},
+    {"penalty-1e4", USE_RESCUE, ORIGIN_INIT, 1e4, false, 0, 0, 0},
+    {"wave-2", USE_LAST, ORIGIN_NEAREST, 0, false, 0, 0.02, 0},
+    {"wave-10", USE_LAST, ORIGIN_NEAREST, 0, false, 0, 0.1, 0},
+    {"wave-30", USE_LAST, ORIGIN_NEAREST, 0, false, 0, 0.3, 0},
+    {"init-wave-2", USE_LAST, ORIGIN_INIT, 0, false, 0, 0.02, 0},
+    {"init-wave-10", USE_LAST, ORIGIN_INIT, 0, false, 0, 0.1, 0},
+    {"init-wave-30", USE_LAST, ORIGIN_INIT, 0, false, 0, 0.3, 0},
 };
 enum { FIRST_SEED = 1000 }; /* of random starts */
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
 /* Random ones: the first of single segments. */
 static const struct kind random_kinds[] = {
-    {"random", USE_RESCUE, ORIGIN_INIT, 1e4, 0, 0, 0.3, 0},
-    {"random", USE_RESCUE, ORIGIN_INIT, 0, 0, 0, 1, 0},
+    {"random", USE_RESCUE, ORIGIN_INIT, 1e4, false, 0, 0.3, 0},
+    {"random", USE_RESCUE, ORIGIN_INIT, 0, false, 0, 1, 0},
 };
 
 struct run {
@@ -337,7 +337,7 @@ static bool try_start(struct run *run, const struct kind *kind) {
   begin(run, kind);
   run->search->starts_n++;
   return ph_arc_engine_iterate(&run->engine, kind->rho, steps) &&
-         (!(kind->more > 0) || ph_arc_engine_go_on(&run->engine, kind->more)) &&
+         (!kind->more || ph_arc_engine_go_on(&run->engine)) &&
          note(run, kind->name);
 }
 
