@@ -346,6 +346,17 @@ equal 'a shape that is not asked for: it is told' false \
   "$(get diagnostics.shape_ok)"
 feed "{$corner,\"shape\":\"warn\"}" sphere --strict
 expect 'a shape that some tension has' 0
+# A criterion that was given up on the way, and holds in the end.
+fixes='"lonlat":[[11.0046,47.99909],[11.00459,47.99901],[11.00465,47.99898],
+  [11.00476,47.99888],[11.00486,47.99872],[11.00487,47.99861],
+  [11.00491,47.9986],[11.00507,47.99853],[11.00509,47.99837],[11.0051,47.99829],
+  [11.0052,47.99824],[11.00544,47.99803]]'
+feed "{$fixes}" sphere
+expect 'a track whose shape is kept' 0
+tensions=$(get tensions)
+feed "{$fixes,$strict}" sphere
+expect 'that track, where it has to be' 0
+equal 'that track, where it has to be' "$tensions" "$(get tensions)"
 
 # More steps than are taken, and fewer, but beyond the largest tension.
 bad no-convergence increase \

@@ -65,7 +65,7 @@ static enum ph_status read_shape(struct task *t) {
   double bound =
       epsilon->kind == PH_ABSENT ? PH_SPHERE_EPSILON : epsilon->number;
   t->keep_shape = shape->kind != PH_BOOL || shape->flag;
-  t->raise.waive = shape->kind != PH_BOOL;
+  t->raise.strict = shape->kind == PH_BOOL;
   if (!(bound >= EPSILON_MIN)) {
     return ph_fail(t->diag, PH_E_BAD_VALUE, "epsilon",
                    "must be at least %g, found %.17g", EPSILON_MIN, bound);
@@ -120,6 +120,12 @@ static enum ph_status fail_shape(const struct task *t, enum ph_status status) {
   case PH_E_NO_MEMORY:
     return ph_fail_memory(t->diag);
   default:
+    if (raise->rounds == PH_SPHERE_ROUNDS_MAX) {
+      return ph_fail(t->diag, status, "increase",
+                     "the shape was not reached by %zu increases of tensions, "
+                     "try larger ones",
+                     raise->rounds);
+    }
     if (raise->beyond) {
       return ph_fail_at(t->diag, status, field, raise->at,
                         "the criterion of %s asks for tensions beyond "
@@ -129,12 +135,6 @@ static enum ph_status fail_shape(const struct task *t, enum ph_status status) {
                         raise->criterion == PH_SPHERE_COCIRCULARITY
                             ? ", a larger epsilon for less"
                             : "");
-    }
-    if (raise->rounds == PH_SPHERE_ROUNDS_MAX) {
-      return ph_fail(t->diag, status, "increase",
-                     "the shape was not reached by %zu increases of tensions, "
-                     "try larger ones",
-                     raise->rounds);
     }
     return fail_spline(t, "tensions that were raised to keep the shape");
   }

@@ -532,19 +532,20 @@ struct ph_sphere_raise {
   const struct ph_sphere_shape *shape;
   enum ph_sphere_increase increase;
   double by;
-  bool waive; /* go on without criteria that no tension satisfies, as far as
-               * they are tried */
+  bool strict; /* fail if a criterion is violated in the end */
   struct ph_sphere_spline *spline;
   struct ph_sphere_work *work;
   size_t rounds; /* out: how often tensions were raised */
   size_t waived; /* out: criteria that are violated by the spline, of these */
   size_t never;  /* out: such that hold at no tension, and */
-  bool beyond;   /* out: one may hold only beyond the largest tensions that are
-                  * tried */
-  size_t at; /* the node or segment of the first, or of the one that failed */
+  bool beyond;   /* out: the first may hold beyond the largest tensions that
+                  * are tried */
+  size_t at;     /* out: its node or segment */
   enum ph_sphere_criterion criterion; /* which that is */
   unsigned char *ignored; /* out: [n] bits of those that are violated */
   /* Of the work: */
+  bool waive; /* go on without criteria that no tension satisfies, as far as
+               * they are tried */
   double *kept_nu;                /* [n] */
   ph_vec3 *kept_x;                /* [n] */
   double *solved;                 /* [n] tensions of the last solution */
@@ -558,9 +559,10 @@ struct ph_sphere_raise {
  * ph_sphere_keep_shape: raises the tensions of a solution.
  *
  * inout raise  the first six members are given
- * ret  PH_OK | PH_E_INFEASIBLE (the criterion is violated at all tensions that
- *      were tried, and in the limit) | PH_E_NO_CONVERGENCE (no spline, too many
- *      rounds, or tensions beyond precision) | PH_E_NO_MEMORY
+ * ret  PH_OK | PH_E_NO_CONVERGENCE (no spline) | PH_E_NO_MEMORY; and if strict
+ *      where a criterion is violated, PH_E_INFEASIBLE (the first is at all
+ *      tensions that were tried, and in the limit) | PH_E_NO_CONVERGENCE (too
+ *      many rounds, or tensions beyond precision)
  */
 enum ph_status ph_sphere_keep_shape(struct ph_sphere_raise *raise,
                                     struct ph_arena *scratch);

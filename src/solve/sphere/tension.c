@@ -193,21 +193,19 @@ static bool never_holds(struct ph_sphere_raise *raise,
 
 /* Plans what a violated criterion asks for, all of a round at once: its nodes
  * are raised, or, where that cannot help, it is waived, and they begin anew.
- * What keeps it from that if it is not allowed. */
-static enum ph_status plan(struct ph_sphere_raise *raise,
-                           enum ph_sphere_criterion criterion, size_t at,
-                           size_t *touched_n) {
+ * Whether that is allowed. */
+static bool plan(struct ph_sphere_raise *raise,
+                 enum ph_sphere_criterion criterion, size_t at,
+                 size_t *touched_n) {
   size_t node[4];
   size_t n = ph_sphere_touched(raise->shape, criterion, at, node);
-  bool can = false, never = false;
+  bool can = false;
   for (size_t j = 0; j < n; j++) {
     can = can || can_raise(raise, node[j]);
   }
   if (!can) {
     unsigned char bit = bit_of(criterion == PH_SPHERE_SEGMENT);
-    never = never_holds(raise, criterion, at, node, n);
-    raise->criterion = criterion;
-    raise->at = at;
+    bool never = never_holds(raise, criterion, at, node, n);
     raise->ignored[at] |=
         (unsigned char)(never ? bit | bit << PH_SPHERE_NEVER : bit);
   }
@@ -219,10 +217,7 @@ static enum ph_status plan(struct ph_sphere_raise *raise,
       raise->planned[node[j]] = can ? RAISE : RESET;
     }
   }
-  raise->beyond = !can && !raise->waive && !never;
-  return can || raise->waive ? PH_OK
-         : never             ? PH_E_INFEASIBLE
-                             : PH_E_NO_CONVERGENCE;
+  return can || raise->waive;
 }
 
 /* Does what was planned. */
@@ -339,9 +334,8 @@ static enum ph_status go_round(struct ph_sphere_raise *raise) {
     enum ph_sphere_criterion criterion;
     while ((criterion = ph_sphere_violated(raise, raise->ranges[r], &from,
                                            &at)) != PH_SPHERE_FINE) {
-      enum ph_status status = plan(raise, criterion, at, &touched_n);
-      if (status != PH_OK) {
-        return status;
+      if (!plan(raise, criterion, at, &touched_n)) {
+        return PH_E_NO_CONVERGENCE;
       }
     }
   }
@@ -353,7 +347,7 @@ static enum ph_status go_round(struct ph_sphere_raise *raise) {
   return solve_ranges(raise) ? PH_OK : PH_E_NO_CONVERGENCE;
 }
 
-/* What is violated after all, where that is allowed: of all criteria. */
+/* What is violated after all: of all criteria. */
 static void count_waived(struct ph_sphere_raise *raise) {
   struct ph_sphere_range all = ph_sphere_all(raise->spline->data);
   size_t from = 0, at = 0;
@@ -366,9 +360,11 @@ static void count_waived(struct ph_sphere_raise *raise) {
   while ((criterion = ph_sphere_violated(raise, all, &from, &at)) !=
          PH_SPHERE_FINE) {
     unsigned char bit = bit_of(criterion == PH_SPHERE_SEGMENT);
-    raise->never += raise->ignored[at] >> PH_SPHERE_NEVER & bit ? 1 : 0;
+    bool never = raise->ignored[at] >> PH_SPHERE_NEVER & bit;
+    raise->never += never;
     raise->planned[at] |= bit;
     if (raise->waived++ == 0) {
+      raise->beyond = !never;
       raise->at = at;
       raise->criterion = criterion;
     }
@@ -381,7 +377,6 @@ static void count_waived(struct ph_sphere_raise *raise) {
 /* Rounds of small raises, until nothing is violated; nothing more is waived. */
 static bool repair(struct ph_sphere_raise *raise) {
   size_t before = raise->rounds;
-  bool waive = raise->waive;
   enum ph_status status = PH_OK;
   raise->increase = PH_SPHERE_REPAIR;
   raise->by = REPAIR;
@@ -397,7 +392,6 @@ static bool repair(struct ph_sphere_raise *raise) {
                                                   : PH_E_NO_CONVERGENCE;
     raise->by = fmin(REPAIR_GROWS * raise->by, 2);
   }
-  raise->waive = waive;
   return status == PH_OK;
 }
 
@@ -455,6 +449,7 @@ enum ph_status ph_sphere_keep_shape(struct ph_sphere_raise *raise,
   raise->rounds = 0;
   raise->waived = raise->never = 0;
   raise->beyond = false;
+  raise->waive = true;
   if (!alloc(raise, scratch)) {
     return PH_E_NO_MEMORY;
   }
@@ -466,7 +461,6 @@ enum ph_status ph_sphere_keep_shape(struct ph_sphere_raise *raise,
       return PH_E_NO_MEMORY;
     }
     if (raise->rounds == ROUNDS_MAX) {
-      status = raise->waive ? PH_OK : PH_E_NO_CONVERGENCE;
       break;
     }
     status = go_round(raise);
@@ -475,8 +469,11 @@ enum ph_status ph_sphere_keep_shape(struct ph_sphere_raise *raise,
       raise->rounds > 1) {
     status = lower(raise, scratch);
   }
-  if (status == PH_OK && raise->waive) {
-    count_waived(raise);
+  if (status != PH_OK) {
+    return status;
   }
-  return status;
+  count_waived(raise);
+  return !raise->strict || raise->waived == 0 ? PH_OK
+         : raise->beyond                      ? PH_E_NO_CONVERGENCE
+                                              : PH_E_INFEASIBLE;
 }
