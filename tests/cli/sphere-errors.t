@@ -400,18 +400,33 @@ expect 'not quite back' 0
 
 # The construction as published has none for these; the other one has.
 wide='"lonlat":[[0,0],[150,60],[-20,-70],[100,10]],"closed":true,"shape":false'
-feed "{$wide,\"model\":\"nielson\"}" sphere
-sed 's/residual [0-9.e-]*:/residual R:/' err >said
-mv said err
-expect 'no convergence' 1 "phspline: -:1: record 1: tension: no spline was \
-found at these tensions, residual R: try larger ones [no-convergence]
+# no_spline NAME MEMBERS ADVICE
+no_spline() {
+  feed "{$2}" sphere
+  sed 's/residual [0-9.e-]*:/residual R:/' err >said
+  mv said err
+  expect "$1" 1 "phspline: -:1: record 1: tension: no spline was \
+found at these tensions, residual R: $3 [no-convergence]
 $(failed 1 1)"
+}
+
+no_spline 'no convergence' "$wide,\"model\":\"nielson\"" \
+  '--model=exact finds one as a rule'
 equal 'no convergence: the record' '"error" "no-convergence" "tension"' \
   "$(get status) $(get error.code) $(get error.field)"
 feed "{$wide,\"model\":\"nielson\",\"tension\":100}" sphere
 expect 'no convergence: larger tensions do help' 0
 feed "{$wide}" sphere
 expect 'no convergence: so does the other model' 0
+# Knots that have nothing to do with the angles.
+knots='"lonlat":[[30,20],[90,0],[90,-10],[60,20]],"knots":[0,1,101,101.01]'
+no_spline 'no convergence: given knots' "$knots" \
+  '--knots=geodesic finds one as a rule'
+no_spline 'no convergence: given knots, model nielson' \
+  "$knots,\"model\":\"nielson\"" \
+  '--knots=geodesic with --model=exact finds one'
+feed "{$knots}" sphere --override=knots=geodesic
+expect 'no convergence: the knots that are advised' 0
 
 # Where its iteration ends too early the certificate says so, and what helps.
 for points in '[-70,10],[-50,-60],[80,30],[-90,-70]' \

@@ -93,16 +93,26 @@ static const char *place_of(const struct ph_sphere_raise *raise) {
   return raise->criterion == PH_SPHERE_SEGMENT ? "segment" : "node";
 }
 
+/* What finds a spline where there is none: spacings unrelated to the angles, as
+ * those that are given can be, have none at tensions of 1000 either. */
+static const char *advice_of(const struct task *t) {
+  bool given = t->problem->field[PH_F_KNOTS].kind == PH_NUMBERS;
+  bool exact = t->spline.model == &ph_sphere_exact;
+  return given && !exact ? "--knots=geodesic with --model=exact finds one"
+         : given         ? "--knots=geodesic finds one as a rule"
+         : !exact        ? "--model=exact finds one as a rule"
+                         : "try larger ones";
+}
+
 /* Where nothing was found; a residual that is NaN says nothing. */
 static enum ph_status fail_spline(const struct task *t, const char *tensions) {
   double residual = t->work.residual;
   return isfinite(residual)
              ? ph_fail(t->diag, PH_E_NO_CONVERGENCE, "tension",
-                       "no spline was found at %s, residual %.2g: try larger "
-                       "ones",
-                       tensions, residual)
+                       "no spline was found at %s, residual %.2g: %s", tensions,
+                       residual, advice_of(t))
              : ph_fail(t->diag, PH_E_NO_CONVERGENCE, "tension",
-                       "no spline was found at %s: try larger ones", tensions);
+                       "no spline was found at %s: %s", tensions, advice_of(t));
 }
 
 static enum ph_status fail_shape(const struct task *t, enum ph_status status) {
