@@ -25,8 +25,10 @@
  *   G[p,q](t) = p + w(t) (q - p) + c(t) p,
  *   w(t) = sin(t theta) / sin(theta),                                    (4)
  *   c(t) = w(t) + w(1 - t) - 1
- *        = 2 sin(t theta / 2) sin((1 - t) theta / 2) / cos(theta / 2).
- * Tested by t_sphere_nielson.c.
+ *        = 2 sin(t theta / 2) sin((1 - t) theta / 2) / cos(theta / 2),
+ * with sin(theta) = 2 sin(theta / 2) cos(theta / 2): where p and q are nearly
+ * antipodal, rounding of cos(theta / 2) divides w and c alike, or G would be
+ * off by its square. Tested by t_sphere_nielson.c.
  */
 #include "kernel/s2.h"
 #include "solve/sphere/sphere.h"
@@ -35,6 +37,13 @@
  * mean square at which Newton's iteration takes over. */
 enum { PICARD_STEPS = 3, SWEEPS_MAX = 2000 };
 static const double SWEPT = 1e-10;
+
+/* Between d_i and d_{i+1} that are this near to antipodal, as cos(theta / 2), R
+ * and L have rounding u / cos(theta / 2) of the great circle: Newton's
+ * iteration does not go there, where the equations would hold to 1e-12 and no
+ * better; from 1e-3 to 1e-2 as many random paths are solved, from 2e-4 down
+ * fewer. */
+static const double HALF_MIN = 1e-3;
 
 /* ---- great circles ------------------------------------------------------- */
 
@@ -59,9 +68,9 @@ static struct arc arc_of(ph_vec3 p, ph_vec3 d) {
   a.d = d;
   a.x = angle * angle;
   ph_s2_bessel(a.x, f);
-  a.f0 = f[0];
-  a.f1 = f[1];
   a.half = sum / 2;
+  a.f0 = angle > 0 ? chord * a.half / angle : 1;
+  a.f1 = f[1];
   return a;
 }
 
@@ -177,9 +186,10 @@ static ph_vec3 leg_of(ph_vec3 p, ph_vec3 x) {
   return ph_vec3_sub(ph_vec3_unit(ph_vec3_add(p, x)), p);
 }
 
-/* The part is R and L, each less its node; out  mix[2]  of R and L */
-static void control(struct ph_sphere_spline *s, size_t k, bool derivatives,
-                    struct ph_sphere_part *part, struct mix mix[2]) {
+/* The part is R and L, each less its node.
+ * out  mix[2]  of R and L; ret  cos(theta / 2) */
+static double control(struct ph_sphere_spline *s, size_t k, bool derivatives,
+                      struct ph_sphere_part *part, struct mix mix[2]) {
   const ph_vec3 zero = {0, 0, 0};
   size_t node[2] = {k, ph_sphere_next(s->data, k)};
   double t[2];
@@ -202,12 +212,15 @@ static void control(struct ph_sphere_spline *s, size_t k, bool derivatives,
   }
   s->r[k] = leg_of(s->data->p[node[0]], part->f[0]);
   s->l[k] = leg_of(s->data->p[node[1]], part->f[1]);
+  return arc.half;
 }
 
 static void segment(struct ph_sphere_spline *s, size_t k, bool derivatives,
                     struct ph_sphere_part *part) {
   struct mix mix[2];
-  control(s, k, derivatives, part, mix);
+  if (control(s, k, derivatives, part, mix) < HALF_MIN) {
+    part->f[0] = part->f[1] = ph_vec3_of((double)NAN, 0, 0);
+  }
 }
 
 /* ---- nodes --------------------------------------------------------------- */

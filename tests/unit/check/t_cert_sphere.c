@@ -299,6 +299,9 @@ PH_TEST_EACH(test_tensions, UNIT_SPLINES_N) {
       ck_accepted();
     } else {
       ck_refused_as("tensions", i, "is refused by its certificate: the curve");
+      ck_assert_int_eq(strstr(checked.diag.message, "--model=exact finds") !=
+                           NULL,
+                       s->nielson);
     }
     u.tensions[i] = keep;
   }

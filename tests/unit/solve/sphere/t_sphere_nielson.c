@@ -196,3 +196,28 @@ PH_TEST(test_antipode) {
   ck_assert(hypot(row.f[0], row.f[1]) > 10);
   unit_sphere_free(&u);
 }
+
+/* Of two nodes, with control points that are nearly antipodal: those of the
+ * segment are at thirds, to the rounding of the great circle; nearer there are
+ * no equations. */
+PH_TEST_EACH(test_antipodal, 2) {
+  const ph_vec3 p[2] = {{1, 0, 0}, {0, 1, 0}}, e = {0, 0.6, 0.8};
+  const double off = _i == 0 ? 2.1e-3 : 1.9e-3, angle = PH_PI - off;
+  struct ph_sphere_part part;
+  struct unit_sphere u;
+  unit_sphere_of(&u, 2, p, false, PH_SPHERE_NATURAL, &ph_sphere_nielson);
+  u.spline.x[0] = ph_vec3_of(0, 0, 0);
+  u.spline.x[1] = ph_vec3_sub(
+      ph_vec3_along(ph_vec3_scale(-cos(off), p[0]), sin(off), e), p[1]);
+  u.spline.model->segment(&u.spline, 0, true, &part);
+  for (int w = 0; w < 2; w++) {
+    double at = angle * (w + 1) / 3;
+    ph_vec3 c = ph_vec3_add(p[w], part.f[w]);
+    ck_assert_int_eq(isnan(c.x), _i);
+    if (_i == 0) {
+      ck_point(c, ph_vec3_along(ph_vec3_scale(cos(at), p[0]), sin(at), e),
+               1e-12);
+    }
+  }
+  unit_sphere_free(&u);
+}
