@@ -348,7 +348,7 @@ equal 'turned, cut short without a tension: the curve of the data' \
 # which kept the tension at .397 here: the functional was 34 times as large.
 minima='"points":[[0,0,0],[1,-0.8073,-0.4374]],"tangents":[[0.7087,-0.5901,'\
 '-0.3867],[0.9253,-0.3521,-0.1408]],"basis":"atph"'
-cut_says='segment 0 took 50000 evaluations of F3, and began with the last curves
+cut_says='segment 0 took 44000 evaluations of F3, and began with the last curves
 at its tension: others may be fairer, or need less of it (such segments: 1)'
 warned 'minima that are followed, cut short' cut-short \
   "$(printf %s "$cut_says" | tr '\n' ' ')" 0 "{\"id\":\"m\",$minima}"

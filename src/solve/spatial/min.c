@@ -48,8 +48,13 @@ static const double ROUGH = 1e-4, COARSE = 1e-8, FINE = 1e-14;
 static const double AGREE = 1e-9, NOTHING = 1e-6;
 /* Two quadratures know a place. */
 static const double RESOLVED = 1e-2;
+/* Descents by the first quadrature that end so near to each other, in angles
+ * and relative to their values, have found the same. */
+static const double SAME_PLACE = 2e-3, SAME_VALUE = 1e-8;
 /* How much a rough minimum can still lose. */
 static const double PROMISING = 1.2, HOPELESS = 3;
+/* ... and one that two quadratures know the place of, of their difference. */
+static const double BEHIND = 10;
 /* Minima at neighbouring b or alpha whose phi is nearer belong together. */
 static const double APART = 0.8;
 
@@ -66,6 +71,9 @@ struct search {
   size_t evaluations, work;
   size_t kept; /* rough minima, as ph_spatial_minimum has them */
   struct ph_spatial_start rough[STARTS];
+  size_t known; /* ends of descents by the first quadrature */
+  struct ph_spatial_start end[STARTS];
+  bool repeated; /* the last descent to the end came to one of them */
 };
 
 static void begin(struct search *s, const struct ph_spatial_search *wanted,
@@ -80,7 +88,7 @@ static void begin(struct search *s, const struct ph_spatial_search *wanted,
   s->target = (struct ph_spatial_target){&rules->rule, &s->family,
                                          wanted->scaled, wanted->functional};
   s->panels = GRID_PANELS;
-  s->evaluations = s->work = s->kept = 0;
+  s->evaluations = s->work = s->kept = s->known = 0;
 }
 
 /* Counts a value by some panels, or one with its gradient, which takes about
@@ -167,27 +175,6 @@ static bool agrees(struct search *s, double within,
   return fabs(*finer - start->value) <= within * (*finer + NOTHING);
 }
 
-/* To the end, by a quadrature that is fine enough there: not far by one that is
- * not.  What the first ones do not see may be far above the limit: it is left
- * then. */
-static enum ph_status polish(struct search *s, double limit,
-                             struct ph_spatial_start *start) {
-  enum ph_status status = PH_OK;
-  bool done = false;
-  for (s->panels = GRID_PANELS;
-       status == PH_OK && !done && s->panels <= PANELS_MAX; s->panels *= 2) {
-    double finer;
-    bool whole;
-    start->value = value_at(s, s->panels, &start->at);
-    whole = s->panels == PANELS_MAX || agrees(s, RESOLVED, start, &finer);
-    status = descend(s, whole ? FINE : COARSE, whole ? STEPS_MAX : COARSE_STEPS,
-                     start);
-    done = (agrees(s, AGREE, start, &finer) && whole) ||
-           !(finer <= HOPELESS * limit);
-  }
-  return status;
-}
-
 /* The functional by adaptive quadrature. */
 static double true_value(const struct search *s,
                          const struct ph_spatial_point *at) {
@@ -203,6 +190,55 @@ static double true_value(const struct search *s,
   }
   return ph_fair3_functional(&fair, ph_spatial_length(&f, member.b),
                              s->wanted->functional);
+}
+
+/* Whether another descent has ended in the same place; otherwise this one has
+ * from now on. */
+static bool is_known(struct search *s, const struct ph_spatial_start *start) {
+  for (size_t i = 0; i < s->known; i++) {
+    const struct ph_spatial_start *end = &s->end[i];
+    if (fabs(remainder(start->at.b - end->at.b, TURN)) < SAME_PLACE &&
+        fabs(remainder(start->at.phi - end->at.phi, TURN)) < SAME_PLACE &&
+        fabs(start->at.alpha - end->at.alpha) < SAME_PLACE &&
+        fabs(start->value - end->value) < SAME_VALUE * (end->value + SMALL)) {
+      return true;
+    }
+  }
+  if (s->known < STARTS) {
+    s->end[s->known++] = *start;
+  }
+  return false;
+}
+
+/* To the end, by a quadrature that is fine enough there: not far by one that is
+ * not.  What the first ones do not see may be far above the best: it is left
+ * then, as is what another descent has found. */
+static enum ph_status polish(struct search *s, struct ph_spatial_start start,
+                             struct ph_spatial_start *best) {
+  const double limit = best->value + SMALL;
+  enum ph_status status = PH_OK;
+  bool done = false;
+  for (s->panels = GRID_PANELS;
+       status == PH_OK && !done && s->panels <= PANELS_MAX; s->panels *= 2) {
+    double finer;
+    bool whole;
+    start.value = value_at(s, s->panels, &start.at);
+    whole = s->panels == PANELS_MAX || agrees(s, RESOLVED, &start, &finer);
+    status = descend(s, whole ? FINE : COARSE, whole ? STEPS_MAX : COARSE_STEPS,
+                     &start);
+    if (s->panels == GRID_PANELS) {
+      s->repeated = is_known(s, &start);
+      if (s->repeated) {
+        return status;
+      }
+    }
+    done = (agrees(s, AGREE, &start, &finer) && whole) ||
+           !(finer <= HOPELESS * limit) ||
+           (whole && finer - BEHIND * fabs(finer - start.value) > limit);
+  }
+  start.value = true_value(s, &start.at);
+  *best = start.value < best->value ? start : *best;
+  return status;
 }
 
 static void finish(const struct search *s, const struct ph_spatial_start *best,
@@ -371,12 +407,10 @@ static enum ph_status search_plane(struct search *s, const struct grid *g,
     for (int i = 0; i < 4; i++) {
       struct ph_spatial_start start = {
           {i % 2 ? b + PH_PI : b, i / 2 ? PH_PI : 0, g->alpha[k]}, 0, true};
-      enum ph_status status = polish(s, best->value + SMALL, &start);
+      enum ph_status status = polish(s, start, best);
       if (status != PH_OK) {
         return status;
       }
-      start.value = true_value(s, &start.at);
-      *best = start.value < best->value ? start : *best;
     }
   }
   return PH_OK;
@@ -393,12 +427,14 @@ static enum ph_status search_from(struct search *s,
     insert(s->rough, &s->kept, STARTS, &list[i]);
   }
   for (size_t i = 0; status == PH_OK && i < s->kept &&
-                     s->rough[i].value <= PROMISING * (best->value + SMALL);
-       i++) {
-    struct ph_spatial_start fine = s->rough[i];
-    status = polish(s, best->value + SMALL, &fine);
-    fine.value = true_value(s, &fine.at);
-    *best = fine.value < best->value ? fine : *best;
+                     s->rough[i].value <= PROMISING * (best->value + SMALL);) {
+    status = polish(s, s->rough[i], best);
+    if (s->repeated) { /* once is enough, at other tensions too */
+      s->kept--;
+      memmove(&s->rough[i], &s->rough[i + 1], (s->kept - i) * sizeof *s->rough);
+    } else {
+      i++;
+    }
   }
   return status;
 }
@@ -455,9 +491,8 @@ enum ph_status ph_spatial_descend(const struct ph_spatial_search *search,
                 fabs(phi.im) <= rounding;
   start.at.phi = !start.plane ? atan2(phi.im, phi.re) : phi.re > 0 ? 0 : PH_PI;
   if (start.plane || found->starts == 0) {
-    status = polish(&s, HUGE_VAL, &start);
-    start.value = true_value(&s, &start.at);
-    best = start;
+    best.at = start.at;
+    status = polish(&s, start, &best);
   }
   if (status == PH_OK) {
     status = search_from(&s, found->start, found->starts, &best);
