@@ -5,7 +5,9 @@
  * The functionals have several local minima, hence several starts: the data as
  * given, and chordal angles of three sizes or powers of chords.
  * What each comes to is crossed with the best (min_cross.c); the first of
- * equally good minima is kept.
+ * equally good minima is kept.  All that is never above the curve that
+ * ph_planar_choose takes for the data as given: the last search begins there
+ * where no start came below it.
  *
  * A search begins with the matrix (1) of min_value.c.  The last one knows more,
  * and so do some before it: every few steps second derivatives by differences
@@ -53,7 +55,7 @@ static enum ph_status allocate(struct ph_planar_work *w) {
   w->beside = ph_arena_array(w->scratch, w->data->n, sizeof *w->beside);
   if (!w->guess || !w->pivot || !w->beside || !candidate_alloc(&w->now, w) ||
       !candidate_alloc(&w->trial, w) || !candidate_alloc(&w->best, w) ||
-      !ph_energy_begin(&w->sum)) {
+      !candidate_alloc(&w->chosen, w) || !ph_energy_begin(&w->sum)) {
     return ph_fail_memory(w->diag);
   }
   if (ph_box_hessian_alloc(&w->hessian, w->scratch, w->data->n, NEAR)) {
@@ -286,6 +288,25 @@ static void plan(const struct ph_planar_work *w, size_t most, size_t steps[2]) {
   steps[1] = is_alone ? 0 : least(last, most - steps[0]);
 }
 
+/* The curve that is made where nothing is minimised is kept if no start came
+ * below it: its turns may be others than those from a chord start. */
+static enum ph_status compare_chosen(struct ph_planar_work *w, struct room *r) {
+  double value;
+  enum ph_status status;
+  if (isnan(w->chosen.value) || w->chosen.value >= w->best.value) {
+    return PH_OK;
+  }
+  ph_planar_min_copy(&w->now, &w->chosen, w);
+  w->warm = true;
+  enter(w, r, 0);
+  status = ph_planar_min_value(w, r->x, &value);
+  if (status == PH_OK && w->trial.value < HUGE_VAL) {
+    ph_planar_min_accept(w);
+    keep(w, r, 0);
+  }
+  return status;
+}
+
 /* From every start to some digits, from the best of them to all. */
 static enum ph_status search(struct ph_planar_work *w, struct room *r,
                              struct ph_planar_min *report, bool *converged) {
@@ -300,6 +321,9 @@ static enum ph_status search(struct ph_planar_work *w, struct room *r,
     if (is_another(w, r, i)) {
       status = descend_twice(w, r, steps);
     }
+  }
+  if (status == PH_OK) {
+    status = compare_chosen(w, r);
   }
   if (status == PH_OK && !isnan(w->best.value)) {
     memcpy(r->x, r->best, w->variables * sizeof *r->x);
@@ -347,6 +371,12 @@ static enum ph_status run(struct ph_planar_work *w, ph_cplx *b,
     memcpy(w->trial.spacing, room.given, w->data->n * sizeof *room.given);
     ph_planar_min_copy(&w->best, &w->trial, w);
     w->best.value = (double)NAN; /* may be outside the box */
+    if (ph_planar_turns_sharply(&w->data->c2)) {
+      status = ph_planar_min_solve_default(w);
+      ph_planar_min_copy(&w->chosen, &w->trial, w);
+    }
+  }
+  if (status == PH_OK) {
     status = search(w, &room, report, &converged);
   }
   return status == PH_OK ? conclude(w, b, converged, report) : status;

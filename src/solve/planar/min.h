@@ -33,6 +33,7 @@ struct ph_planar_work {
   double *pivot, *beside; /* [n] of the matrix (1) */
   struct ph_box_hessian hessian;
   struct ph_planar_candidate now, trial, best;
+  struct ph_planar_candidate chosen;      /* for the data as given; or NaN */
   const struct ph_planar_candidate *last; /* what the last value was of */
   double weight[3];                       /* of E, MV, L where `weighted` */
   bool weighted;
@@ -47,6 +48,10 @@ double ph_planar_min_in_user_unit(const struct ph_planar_work *w, double value);
 /* ph_planar_min_solve_trial: the solution for the data as they are, and its
  * energies, into the trial.  No solution: a value that is NaN, and PH_OK. */
 enum ph_status ph_planar_min_solve_trial(struct ph_planar_work *w);
+
+/* ph_planar_min_solve_default: likewise what ph_planar_choose takes, of data
+ * that turn sharply. */
+enum ph_status ph_planar_min_solve_default(struct ph_planar_work *w);
 
 void ph_planar_min_copy(struct ph_planar_candidate *to,
                         const struct ph_planar_candidate *from,

@@ -131,6 +131,19 @@ static enum ph_status solve_near(struct ph_planar_work *w, bool *solved) {
                            w->diag);
 }
 
+/* What was solved for the data as they are, into the trial. */
+static void record(struct ph_planar_work *w) {
+  const struct ph_planar_data *d = w->data;
+  struct ph_planar_candidate *t = &w->trial;
+  t->twist = d->c2.twist;
+  memcpy(t->h, d->h, d->n * sizeof *t->h);
+  if (w->weighted) {
+    t->value = w->now.value; /* of no use: weights are held fixed */
+  } else {
+    measure(w);
+  }
+}
+
 /* The solution for the data as they are, and its energies, into the trial.
  * No solution: a value that is NaN, and PH_OK. */
 enum ph_status ph_planar_min_solve_trial(struct ph_planar_work *w) {
@@ -149,15 +162,30 @@ enum ph_status ph_planar_min_solve_trial(struct ph_planar_work *w) {
     status = status == PH_E_NO_CONVERGENCE ? PH_OK : status;
   }
   if (solved) {
-    t->twist = d->c2.twist;
-    memcpy(t->h, d->h, d->n * sizeof *t->h);
-    if (w->weighted) {
-      t->value = w->now.value; /* of no use: weights are held fixed */
-    } else {
-      measure(w);
-    }
+    record(w);
   }
   return status;
+}
+
+enum ph_status ph_planar_min_solve_default(struct ph_planar_work *w) {
+  struct ph_planar_data *d = w->data;
+  struct ph_mark mark = ph_arena_mark(w->scratch);
+  struct ph_planar_report report;
+  struct ph_planar_second second;
+  struct ph_planar_choice choice;
+  enum ph_status status = ph_planar_c2_both(&d->c2, w->scratch, w->trial.b,
+                                            &report, &second, w->diag);
+  bool solved = status == PH_OK;
+  w->trial.value = (double)NAN;
+  if (solved) {
+    status = ph_planar_choose(d, w->scratch, w->trial.b, &report, &second,
+                              &choice, w->diag);
+  }
+  ph_arena_release(w->scratch, mark);
+  if (solved && status == PH_OK) {
+    record(w);
+  }
+  return status == PH_E_NO_CONVERGENCE ? PH_OK : status;
 }
 
 void ph_planar_min_copy(struct ph_planar_candidate *to,
