@@ -165,8 +165,9 @@ static bool is_convex(struct state *t, size_t from) {
        k < tries && !ph_arena_late(t->w->arena); k++) {
     size_t at = from > 0 ? k : (k + t->w->convex) % tries;
     struct ph_arc_weights weights = weights_of(t, at < 2 ? 0 : ALARM);
-    if (ph_arc_is_positive(t->s, t->w, t->p->x, t->p->y,
-                           PENALTY[at % 2] * (1 + t->y_size), &weights)) {
+    if (ph_arc_penalised_factor(t->s, t->p->x, t->p->y, &t->w->linear, &weights,
+                                PENALTY[at % 2] * (1 + t->y_size),
+                                t->w->penalised)) {
       t->w->convex = at;
       return true;
     }

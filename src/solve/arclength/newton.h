@@ -179,13 +179,6 @@ bool ph_arc_newton_plain(const struct ph_arc_system *system,
                          struct ph_arc_newton *work, size_t limit,
                          struct ph_arc_point *p);
 
-/* ph_arc_is_positive: whether the Hessian at work->linear plus rho J^T J is
- * positive definite. */
-bool ph_arc_is_positive(const struct ph_arc_system *system,
-                        struct ph_arc_newton *work, const double *x,
-                        const double *y, double rho,
-                        const struct ph_arc_weights *weights);
-
 /*
  * ph_arc_is_minimum: proves that a stationary point is a strict minimum but for
  * what leaves the equations as they are: the KKT matrix, with a Hessian that is

@@ -16,13 +16,6 @@ static const double ROUNDING = 2048 * 2.2204460492503131e-16;
 static const double YIELD[] = {5e-13, 0};
 enum { YIELDS = sizeof YIELD / sizeof YIELD[0] };
 
-bool ph_arc_is_positive(const struct ph_arc_system *s, struct ph_arc_newton *w,
-                        const double *x, const double *y, double rho,
-                        const struct ph_arc_weights *weights) {
-  return ph_arc_penalised_factor(s, x, y, &w->linear, weights, rho,
-                                 w->penalised);
-}
-
 bool ph_arc_is_minimum(const struct ph_arc_system *s, struct ph_arc_newton *w,
                        const double *x, const double *y) {
   struct ph_arc_weights weights = {
